@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef mortar_contact_geometry_clipping_h
+#define mortar_contact_geometry_clipping_h
+
+#include <mortar_contact/geometry/projection.h>
+
+#include <array>
+
+namespace MortarContact
+{
+  /// The two facets of a pair, where a name for the side is needed.
+  enum class Side
+  {
+    secondary = 0,
+    primary   = 1
+  };
+
+  /// A vertex of one of the two facets.
+  struct FacetVertex
+  {
+    Side         side;
+    unsigned int vertex;
+  };
+
+  /// The line through two vertices of one facet.
+  struct FacetLine
+  {
+    Side         side;
+    unsigned int from, to;
+  };
+
+  /**
+   * A vertex of the overlap of two facets in the secondary's plane and where it
+   * comes from: a vertex of one of the facets, or the crossing of two lines.
+   * What it comes from is what moves it, see THEORY 2.4 and
+   * mortar/segmentation.h.
+   */
+  template <int dim>
+  struct OverlapVertex
+  {
+    PlanePoint<dim> y;
+    bool            is_crossing = false;
+    FacetVertex     origin      = {Side::secondary, 0}; ///< If no crossing.
+    FacetLine       first       = {Side::secondary, 0, 0};
+    FacetLine       second      = {Side::secondary, 0, 0};
+    /// Line on which the polygon's edge from this vertex to the next lies.
+    FacetLine edge = {Side::secondary, 0, 0};
+  };
+
+  /// Two convex quadrilaterals have at most eight vertices in common; one more
+  /// can occur for an instant while clipping.
+  template <int dim>
+  constexpr unsigned int max_overlap_vertices = (dim == 2) ? 2 : 10;
+
+  /// The overlap: an interval (dim = 2) or a convex polygon, counter-clockwise.
+  template <int dim>
+  struct Overlap
+  {
+    unsigned int                                                 n_vertices = 0;
+    std::array<OverlapVertex<dim>, max_overlap_vertices<dim>> vertices;
+  };
+
+  /// A convex piece of a projected facet: its vertices counter-clockwise (in
+  /// 2d: from small to large) by their numbers in the facet.
+  template <int dim>
+  struct ConvexPiece
+  {
+    unsigned int                               n_vertices = 0;
+    std::array<unsigned int, max_vertices<dim>> vertices   = {};
+  };
+
+  /// All pieces of one projected facet.
+  template <int dim>
+  struct ConvexPieces
+  {
+    unsigned int                    n_pieces = 0;
+    std::array<ConvexPiece<dim>, 2> pieces   = {};
+  };
+
+  /**
+   * Cut a projected facet into convex pieces, for clipping only: itself if it
+   * is convex, two triangles if it is a quadrilateral with a re-entrant corner
+   * (a warped facet seen at an angle). No piece at all if it is folded or has
+   * no area.
+   */
+  template <int dim>
+  ConvexPieces<dim>
+  convex_pieces(const unsigned int n_vertices, const PlaneFacet<dim> &y);
+
+  /**
+   * Overlap of two convex pieces by the method of Sutherland & Hodgman (1974,
+   * doi:10.1145/360767.360802), remembering the origin of each vertex.
+   *
+   * Points closer than @p tolerance [length of the mesh] to a clipping line
+   * count as inside, so that edges that coincide make no slivers.
+   */
+  template <int dim>
+  Overlap<dim>
+  clip(const PlaneFacet<dim>  &secondary,
+       const ConvexPiece<dim> &secondary_piece,
+       const PlaneFacet<dim>  &primary,
+       const ConvexPiece<dim> &primary_piece,
+       const double            tolerance);
+
+  /// Signed area of the overlap (length in 2d).
+  template <int dim>
+  double
+  area(const Overlap<dim> &overlap);
+} // namespace MortarContact
+
+#endif

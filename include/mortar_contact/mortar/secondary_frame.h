@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef mortar_contact_mortar_secondary_frame_h
+#define mortar_contact_mortar_secondary_frame_h
+
+#include <mortar_contact/geometry/projection.h>
+
+namespace MortarContact
+{
+  /// Derivatives by the positions of the vertices of one facet:
+  /// [vertex * dim + component].
+  template <int dim>
+  using FacetVector = std::array<double, max_facet_components<dim>>;
+
+  /// Derivatives by the positions of the vertices of a pair: those of the
+  /// secondary facet, then, from max_facet_components on, of the primary.
+  template <int dim>
+  using PairVector = std::array<double, max_pair_components<dim>>;
+
+  /**
+   * Plane of a secondary facet: through its centre, across its centre normal n.
+   * All integration happens in this plane; coordinates y in it belong to an
+   * orthonormal basis e_c that moves with the normal without spinning,
+   *   Delta e_c = -(Delta n . e_c) n.
+   */
+  template <int dim>
+  struct SecondaryFrame
+  {
+    explicit SecondaryFrame(const Facet<dim> &facet);
+
+    Facet<dim>                           facet;
+    Tensor<1, dim>                       centre;
+    Tensor<1, dim>                       normal; ///< n, unit, outward.
+    double                               normal_length; ///< |w|
+    std::array<Tensor<1, dim>, dim - 1>  basis;
+    PlaneFacet<dim>                      y;      ///< Projected vertices.
+    VertexValues<dim>                    height; ///< n . (x_a - centre)
+    double                               diameter;
+
+    /// dw/dx_a of the unnormalised normal w, [vertex] dim x dim.
+    std::array<Tensor<2, dim>, max_vertices<dim>> dw;
+    /// dn/dx_a of the unit normal, [vertex] dim x dim.
+    std::array<Tensor<2, dim>, max_vertices<dim>> dn;
+
+    /// Coordinates of @p x in the plane.
+    PlanePoint<dim>
+    project(const Tensor<1, dim> &x) const;
+
+    /**
+     * Derivative of the plane coordinates of a point by the vertices of the
+     * secondary facet, the point itself held fixed in space:
+     *   Delta y_c = -e_c . Delta centre - (n . (x - centre)) (e_c . Delta n).
+     * @param height n . (x - centre) of the point.
+     */
+    std::array<FacetVector<dim>, dim - 1>
+    frame_motion(const double height) const;
+
+    /**
+     * Second derivative of the unit normal, contracted with a vector:
+     * b . d2n/(dx_a dx_b) [vertex, component; vertex, component], where the
+     * part along n is weighted separately: b is replaced by
+     * @p across (its part across n counts) + @p along n.
+     */
+    std::array<FacetVector<dim>, max_facet_components<dim>>
+    normal_curvature(const Tensor<1, dim> &across, const double along) const;
+
+  private:
+    /// Coefficients of the two vectors p, q of which w is the product.
+    VertexValues<dim> p_of, q_of;
+  };
+} // namespace MortarContact
+
+#endif
