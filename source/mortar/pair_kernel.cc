@@ -121,6 +121,37 @@ namespace MortarContact
 
 
   template <int dim>
+  ContactStiffness
+  PairKernel<dim>::combine(const double c_s,
+                           const double l_s,
+                           const double c_p,
+                           const double l_p) const
+  {
+    if (options.stiffness_side == StiffnessSide::series)
+      return in_series(c_s, l_s, c_p, l_p);
+    return {l_s / c_s, l_s};
+  }
+
+
+
+  template <int dim>
+  ContactStiffness
+  PairKernel<dim>::stiffness(const ContactFacet<dim> &secondary,
+                             const PlanePoint<dim>   &xi,
+                             const ContactFacet<dim> &primary,
+                             const PlanePoint<dim>   &eta) const
+  {
+    const auto N_s = shape_values<dim>(secondary.current.n_vertices, xi);
+    const auto N_p = shape_values<dim>(primary.current.n_vertices, eta);
+    return combine(dot<dim>(N_s, secondary.compliance),
+                   dot<dim>(N_s, secondary.length),
+                   dot<dim>(N_p, primary.compliance),
+                   dot<dim>(N_p, primary.length));
+  }
+
+
+
+  template <int dim>
   std::optional<typename PairKernel<dim>::Hit>
   PairKernel<dim>::hit(const SecondaryFrame<dim> &frame,
                        const PlanePoint<dim>     &xi,
@@ -382,9 +413,7 @@ namespace MortarContact
     const double l_p = dot<dim>(N_p, primary.length);
     const double c_p = dot<dim>(N_p, primary.compliance);
     const bool   series = options.stiffness_side == StiffnessSide::series;
-    const ContactStiffness stiffness =
-      series ? in_series(c_s, l_s, c_p, l_p) :
-               ContactStiffness{l_s / c_s, l_s};
+    const ContactStiffness stiffness = combine(c_s, l_s, c_p, l_p);
 
     std::array<Tensor<1, dim>, T> t_p, t_s;
     for (unsigned int c = 0; c < T; ++c)

@@ -73,6 +73,11 @@ namespace MortarContact
   PlanePoint<dim>
   reference_centre(const unsigned int n_vertices);
 
+  /// Reference coordinates of vertex @p a.
+  template <int dim>
+  PlanePoint<dim>
+  reference_vertex(const unsigned int n_vertices, const unsigned int a);
+
   /// Whether @p xi lies in the reference domain, enlarged by @p tolerance.
   template <int dim>
   bool
@@ -174,6 +179,26 @@ namespace MortarContact
     PlanePoint<dim> xi;
     for (unsigned int c = 0; c < dim - 1; ++c)
       xi[c] = (n_vertices == 3) ? 1. / 3. : 0.5;
+    return xi;
+  }
+
+
+
+  template <int dim>
+  inline PlanePoint<dim>
+  reference_vertex(const unsigned int n_vertices, const unsigned int a)
+  {
+    PlanePoint<dim> xi;
+    if constexpr (dim == 2)
+      {
+        (void)n_vertices;
+        xi[0] = a;
+      }
+    else
+      {
+        xi[0] = (a == 1 || (a == 2 && n_vertices == 4)) ? 1. : 0.;
+        xi[1] = (a >= 2) ? 1. : 0.;
+      }
     return xi;
   }
 

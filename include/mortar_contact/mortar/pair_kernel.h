@@ -3,29 +3,17 @@
 #define mortar_contact_mortar_pair_kernel_h
 
 #include <mortar_contact/geometry/simplex_rule.h>
+#include <mortar_contact/geometry/skin.h>
 #include <mortar_contact/laws/contact_modulus.h>
 #include <mortar_contact/laws/pressure_law.h>
 #include <mortar_contact/mortar/segmentation.h>
 
+#include <limits>
 #include <optional>
 #include <vector>
 
 namespace MortarContact
 {
-  /// A facet with all that the kernel wants to know of it.
-  template <int dim>
-  struct ContactFacet
-  {
-    Facet<dim> current;   ///< Present positions [m].
-    Facet<dim> reference; ///< Undeformed positions [m].
-    /// l/K at the vertices [m/Pa]; zero for a rigid side.
-    VertexValues<dim> compliance = {};
-    /// Characteristic length l at the vertices [m].
-    VertexValues<dim> length = {};
-    /// Contact surface minus mesh surface along the outward normal [m].
-    double surface_offset = 0.;
-  };
-
   /// Initial penetration of a secondary facet, see initial_penetration.h.
   template <int dim>
   struct FacetOffset
@@ -141,6 +129,13 @@ namespace MortarContact
     std::vector<std::pair<PlanePoint<dim>, double>>
     fixed_points(const unsigned int n_vertices) const;
 
+    /// Modulus and length that act between two points of a pair.
+    ContactStiffness
+    stiffness(const ContactFacet<dim> &secondary,
+              const PlanePoint<dim>   &xi,
+              const ContactFacet<dim> &primary,
+              const PlanePoint<dim>   &eta) const;
+
     /// Where the line along the secondary's normal through the fixed point
     /// @p xi meets @p primary, if it does; with the depth there.
     struct Hit
@@ -174,6 +169,13 @@ namespace MortarContact
   private:
     struct Point;
     struct Sums;
+
+    /// See stiffness(); from the sides' compliances and lengths.
+    ContactStiffness
+    combine(const double c_s,
+            const double l_s,
+            const double c_p,
+            const double l_p) const;
 
     void
     add_point(const SecondaryFrame<dim> &frame,

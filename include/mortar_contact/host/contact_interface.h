@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef mortar_contact_host_contact_interface_h
+#define mortar_contact_host_contact_interface_h
+
+#include <mortar_contact/host/dealii_compat.h>
+#include <mortar_contact/host/surface_extractor.h>
+#include <mortar_contact/mortar/contact_sweep.h>
+#include <mortar_contact/parameters/contact_parameters.h>
+#include <mortar_contact/report/contact_report.h>
+
+#include <deal.II/base/index_set.h>
+#include <deal.II/base/mpi_noncontiguous_partitioner.h>
+
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <iosfwd>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace MortarContact
+{
+  /// What an interface thinks of a converged state.
+  struct StepAdvice
+  {
+    bool        accept = true;
+    std::string reason; ///< Why not, in words.
+  };
+
+  /**
+   * One contact interface: two surfaces, their law, their history.
+   *
+   * Life: add_secondary(), add_primary(), setup(); then for each Newton iterate
+   * update(), add_couplings() where report().couplings_changed, assemble(); then
+   * commit() or rollback(). The *secondary* is the side that carries the
+   * integration points (LS-DYNA: SURFA, slave); points are projected onto the
+   * *primary* (SURFB, master).
+   *
+   * All functions are collective over the communicator. Nothing is printed.
+   * Vectors and matrices may be deal.II's own or those of Trilinos or PETSc;
+   * vectors that are read need their locally owned entries only.
+   */
+  template <int dim>
+  class ContactInterface
+  {
+  public:
+    ContactInterface(const std::string       &name,
+                     const ContactParameters &parameters,
+                     const MPI_Comm           communicator);
+
+    /**
+     * Add boundary faces of a body to the secondary surface. Displacements are
+     * the components of the finite element from @p first_component on, dofs are
+     * numbered in the matrix as @p numbering says. DoFHandlers are looked at in
+     * this call only.
+     *
+     * @throw ExcMessage if no face on any rank is selected.
+     */
+    void
+    add_secondary(const DoFHandler<dim>    &dof_handler,
+                  const Mapping<dim>       &mapping,
+                  const FaceSelection      &selection,
+                  const ModulusOfCell<dim> &modulus_of_cell,
+                  const std::string        &part            = "secondary",
+                  const DoFNumbering       &numbering       = {},
+                  const unsigned int        first_component = 0);
+
+    /// The same for the primary surface.
+    void
+    add_primary(const DoFHandler<dim>    &dof_handler,
+                const Mapping<dim>       &mapping,
+                const FaceSelection      &selection,
+                const ModulusOfCell<dim> &modulus_of_cell,
+                const std::string        &part            = "primary",
+                const DoFNumbering       &numbering       = {},
+                const unsigned int        first_component = 0);
+
+    /**
+     * Build the surfaces in the undeformed configuration, find and treat
+     * initial penetrations: see report().initial.
+     *
+     * @throw ExcMessage if penetrations are deeper than MPAR2.
+     */
+    void
+    setup();
+
+    /// All dofs that this interface may write to: constraints must know of them.
+    IndexSet
+    relevant_dofs(const types::global_dof_index n_dofs) const;
+
+    /**
+     * Evaluate contact at the displacements @p u.
+     * @param time For treatments that remove penetrations over time [s].
+     * @param with_tangent Whether assemble() will want the matrix.
+     */
+    template <class VectorType>
+    void
+    update(const VectorType &u,
+           const double      time         = 0.,
+           const bool        with_tangent = true);
+
+    /// Add the entries of all candidate pairs to a sparsity pattern.
+    template <class SparsityType>
+    void
+    add_couplings(SparsityType                    &sparsity,
+                  const AffineConstraints<double> &constraints);
+
+    /// matrix += tangent, rhs += contact forces (minus the residual).
+    template <class MatrixType, class VectorType>
+    void
+    assemble(MatrixType                      &matrix,
+             VectorType                      &rhs,
+             const AffineConstraints<double> &constraints) const;
+
+    /// rhs += contact forces.
+    template <class VectorType>
+    void
+    assemble(VectorType &rhs, const AffineConstraints<double> &constraints) const;
+
+    /// Largest factor in (0, 1] for the Newton update @p du at @p u by which
+    /// no facet passes another unseen.
+    template <class VectorType>
+    double
+    largest_safe_step(const VectorType &u, const VectorType &du);
+
+    /// Whether the last update(), taken as converged, may be committed.
+    StepAdvice
+    advice() const;
+
+    /// Accept the last update() as the state at the end of a step.
+    void
+    commit(const double time);
+
+    /// Forget the last update(): nothing of it has touched the history.
+    void
+    rollback();
+
+    /// Of the last update(), or of setup().
+    const ContactReport &
+    report() const
+    {
+      return last_report;
+    }
+
+    /// Write the complete state of this rank, or continue from it. The mesh,
+    /// the parameters and the number of ranks must be the same.
+    void
+    save(std::ostream &out) const;
+    void
+    load(std::istream &in);
+
+    /**
+     * Largest difference between the tangent and central differences of the
+     * contact forces at @p u, over the largest tangent entry, in @p n_samples
+     * directions. For tests and for users of laws of their own; exact tangents
+     * ('Tangent = exact') give about 1e-8.
+     */
+    template <class VectorType>
+    double
+    check_tangent(const VectorType  &u,
+                  const double       time      = 0.,
+                  const unsigned int n_samples = 3);
+
+    /// Sum of all contact forces and of their moments about the origin, on both
+    /// bodies: zero to round-off, over the sum of their magnitudes.
+    double
+    check_balance() const;
+
+    const std::string       name;
+    const ContactParameters parameters;
+
+    /// The surfaces, for output: 0 secondary, 1 primary.
+    const ContactSurface<dim> &
+    surface(const unsigned int side) const
+    {
+      return surfaces[side];
+    }
+
+    /// Sweeps: one, or two with swapped sides.
+    const ContactSweep<dim> &
+    sweep(const unsigned int i) const
+    {
+      return *sweeps[i];
+    }
+
+    unsigned int
+    n_sweeps() const
+    {
+      return sweeps.size();
+    }
+
+  private:
+    void
+    add(const unsigned int        side,
+        const DoFHandler<dim>    &dof_handler,
+        const Mapping<dim>       &mapping,
+        const FaceSelection      &selection,
+        const ModulusOfCell<dim> &modulus_of_cell,
+        const std::string        &part,
+        const DoFNumbering       &numbering,
+        const unsigned int        first_component);
+
+    void
+    build_surface(const unsigned int side);
+
+    void
+    detect_initial_penetrations();
+
+    /// Value of one dof as fetched by fetch().
+    double
+    value(const types::global_dof_index dof) const;
+
+    /// Get the values of all dofs of the surfaces from their owners.
+    template <class VectorType>
+    void
+    fetch(const VectorType &u);
+
+    void
+    fetch_owned(const IndexSet &owned, const std::vector<double> &values);
+
+    void
+    evaluate(const double time, const bool with_tangent);
+
+    double
+    check_tangent_at_fetched(const double time, const unsigned int n_samples);
+
+    void
+    make_report();
+
+    /// Dofs and weights of one vertex of a pair.
+    const SurfaceVertex<dim> &
+    vertex_of(const unsigned int sweep,
+              const unsigned int s,
+              const unsigned int p,
+              const unsigned int a) const;
+
+    /// Dofs of a pair, without repetition.
+    std::vector<types::global_dof_index>
+    dofs_of(const unsigned int sweep,
+            const unsigned int s,
+            const unsigned int p) const;
+
+    /// Forces and tangent of an active pair on its dofs.
+    void
+    distribute_pair(const unsigned int                           sweep,
+                    const typename ContactSweep<dim>::ActivePair &pair,
+                    const bool                                    with_tangent,
+                    std::vector<types::global_dof_index>         &dofs,
+                    Vector<double>                               &forces,
+                    FullMatrix<double>                           &tangent) const;
+
+    const MPI_Comm                       communicator;
+    std::unique_ptr<PressureLaw>         law;
+    std::vector<SurfaceFacet<dim>>       extracted[2];
+    ContactSurface<dim>                  surfaces[2];
+    std::vector<std::unique_ptr<ContactSweep<dim>>> sweeps;
+    ContactReport                        last_report;
+    bool                                 pattern_is_current = false;
+
+    std::vector<types::global_dof_index> dofs;   ///< Of both surfaces, sorted.
+    std::vector<double>                  values; ///< Of these dofs.
+    IndexSet                             fetched_owned;
+    std::unique_ptr<Utilities::MPI::NoncontiguousPartitioner> partitioner;
+  };
+} // namespace MortarContact
+
+#include <mortar_contact/host/contact_interface.templates.h>
+
+#endif

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef mortar_contact_host_contact_interface_templates_h
+#define mortar_contact_host_contact_interface_templates_h
+
+// The thin part of ContactInterface that depends on the host's vectors and
+// matrices. Included by contact_interface.h.
+
+#include <mortar_contact/host/contact_interface.h>
+
+namespace MortarContact
+{
+  template <int dim>
+  template <class VectorType>
+  void
+  ContactInterface<dim>::fetch(const VectorType &u)
+  {
+    const IndexSet      owned = u.locally_owned_elements();
+    std::vector<double> owned_values;
+    owned_values.reserve(owned.n_elements());
+    for (const auto i : owned)
+      owned_values.push_back(u(i));
+    fetch_owned(owned, owned_values);
+  }
+
+
+
+  template <int dim>
+  template <class VectorType>
+  void
+  ContactInterface<dim>::update(const VectorType &u,
+                                const double      time,
+                                const bool        with_tangent)
+  {
+    fetch(u);
+    for (auto &surface : surfaces)
+      surface.move([&](const auto dof) { return value(dof); });
+    evaluate(time, with_tangent);
+  }
+
+
+
+  template <int dim>
+  template <class SparsityType>
+  void
+  ContactInterface<dim>::add_couplings(
+    SparsityType                    &sparsity,
+    const AffineConstraints<double> &constraints)
+  {
+    for (unsigned int i = 0; i < sweeps.size(); ++i)
+      for (const auto &[s, p] : sweeps[i]->candidates())
+        constraints.add_entries_local_to_global(dofs_of(i, s, p),
+                                                sparsity,
+                                                false);
+    pattern_is_current            = true;
+    last_report.couplings_changed = false;
+  }
+
+
+
+  template <int dim>
+  template <class MatrixType, class VectorType>
+  void
+  ContactInterface<dim>::assemble(
+    MatrixType                      &matrix,
+    VectorType                      &rhs,
+    const AffineConstraints<double> &constraints) const
+  {
+    Assert(pattern_is_current,
+           ExcMessage("Pairs have come since the last add_couplings()."));
+    std::vector<types::global_dof_index> pair_dofs;
+    Vector<double>                       forces;
+    FullMatrix<double>                   tangent;
+    for (unsigned int i = 0; i < sweeps.size(); ++i)
+      for (const auto &pair : sweeps[i]->active_pairs())
+        {
+          distribute_pair(i, pair, true, pair_dofs, forces, tangent);
+          constraints.distribute_local_to_global(
+            tangent, forces, pair_dofs, matrix, rhs);
+        }
+  }
+
+
+
+  template <int dim>
+  template <class VectorType>
+  void
+  ContactInterface<dim>::assemble(
+    VectorType                      &rhs,
+    const AffineConstraints<double> &constraints) const
+  {
+    std::vector<types::global_dof_index> pair_dofs;
+    Vector<double>                       forces;
+    FullMatrix<double>                   tangent;
+    for (unsigned int i = 0; i < sweeps.size(); ++i)
+      for (const auto &pair : sweeps[i]->active_pairs())
+        {
+          distribute_pair(i, pair, false, pair_dofs, forces, tangent);
+          constraints.distribute_local_to_global(forces, pair_dofs, rhs);
+        }
+  }
+
+
+
+  template <int dim>
+  template <class VectorType>
+  double
+  ContactInterface<dim>::largest_safe_step(const VectorType &u,
+                                           const VectorType &du)
+  {
+    // present positions are those of the last update(); fetch the moved ones
+    fetch(u);
+    const std::vector<double> from = values;
+    fetch(du);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      values[i] += from[i];
+    std::vector<Facet<dim>> moved[2];
+    for (unsigned int side = 0; side < 2; ++side)
+      moved[side] =
+        surfaces[side].moved([&](const auto dof) { return value(dof); });
+    values = from;
+
+    double step = 1.;
+    for (unsigned int i = 0; i < sweeps.size(); ++i)
+      step = std::min(step, sweeps[i]->safe_step(moved[i], moved[1 - i]));
+    return Utilities::MPI::min(step, communicator);
+  }
+
+
+
+  template <int dim>
+  template <class VectorType>
+  double
+  ContactInterface<dim>::check_tangent(const VectorType  &u,
+                                       const double       time,
+                                       const unsigned int n_samples)
+  {
+    fetch(u);
+    return check_tangent_at_fetched(time, n_samples);
+  }
+} // namespace MortarContact
+
+#endif

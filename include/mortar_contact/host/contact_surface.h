@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef mortar_contact_host_contact_surface_h
+#define mortar_contact_host_contact_surface_h
+
+#include <mortar_contact/geometry/skin.h>
+#include <mortar_contact/report/contact_report.h>
+
+#include <deal.II/base/types.h>
+
+#include <array>
+#include <functional>
+#include <vector>
+
+namespace MortarContact
+{
+  /**
+   * One row of the vertex map: the position of a vertex is
+   *   x = X + sum_k w_k u(dofs_k),
+   * dofs_k the global numbers of the dim displacement components of a node.
+   * The first entry is the node that the vertex belongs to.
+   */
+  template <int dim>
+  struct SurfaceVertex
+  {
+    struct Entry
+    {
+      std::array<types::global_dof_index, dim> dofs;
+      double                                   weight;
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &dofs &weight;
+      }
+    };
+
+    Tensor<1, dim>     reference; ///< X [m]
+    std::vector<Entry> row;
+
+    /// The same for the same vertex on all cells and ranks.
+    types::global_dof_index
+    key() const
+    {
+      return row.front().dofs[0];
+    }
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &reference &row;
+    }
+  };
+
+  /// A facet of a surface as it is extracted, and exchanged between ranks.
+  template <int dim>
+  struct SurfaceFacet
+  {
+    unsigned int                                n_vertices = 0;
+    std::array<SurfaceVertex<dim>, max_vertices<dim>> vertices;
+    FacetLabel   label;
+    unsigned int face     = 0;  ///< Face of the cell, and
+    unsigned int subfacet = 0;  ///< part of the face.
+    double       modulus  = 0.; ///< K of the cell's material [Pa]
+    double       length   = 0.; ///< Height of the cell over the face [m]
+    double       shortest_edge = 0.; ///< Of the part [m]
+    unsigned int owner         = 0;  ///< Rank
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &n_vertices &vertices &label &face &subfacet &modulus &length
+        &shortest_edge &owner;
+    }
+  };
+
+  /// How the contact stiffness of a surface is chosen.
+  struct SurfaceStiffness
+  {
+    double modulus            = 0.;    ///< [Pa]; 0: of the cells.
+    double length             = 0.;    ///< [m]; 0: of the cells.
+    bool   use_shortest_edge  = false; ///< For length: of the part.
+    double offset             = 0.;    ///< Contact surface over mesh [m]
+  };
+
+  /**
+   * A contact surface: facets of all ranks (a later issue will keep near ones
+   * only), their vertex map, and the skin in the present configuration.
+   */
+  template <int dim>
+  class ContactSurface
+  {
+  public:
+    /// Collect the facets of all ranks. Moduli and lengths are averaged at the
+    /// vertices, weighted by area, so that the contact stiffness is continuous.
+    void
+    build(std::vector<SurfaceFacet<dim>> local_facets,
+          const SurfaceStiffness        &stiffness,
+          const MPI_Comm                 communicator);
+
+    /// Move the skin; @p displacement gives the value of a dof.
+    void
+    move(const std::function<double(types::global_dof_index)> &displacement);
+
+    /// Where the facets would be with other displacements.
+    std::vector<Facet<dim>>
+    moved(
+      const std::function<double(types::global_dof_index)> &displacement) const;
+
+    /// All dofs of all rows, sorted, without repetition.
+    std::vector<types::global_dof_index>
+    dofs() const;
+
+    const SurfaceVertex<dim> &
+    vertex(const unsigned int facet, const unsigned int a) const
+    {
+      return vertices[facet_vertices[facet][a]];
+    }
+
+    Skin<dim>               skin;
+    std::vector<FacetLabel> labels;
+    std::vector<double>     cell_modulus, cell_length; ///< By facet.
+
+  private:
+    Tensor<1, dim>
+    position(
+      const SurfaceVertex<dim>                             &v,
+      const std::function<double(types::global_dof_index)> &displacement) const;
+
+    std::vector<SurfaceVertex<dim>>                          vertices;
+    std::vector<std::array<unsigned int, max_vertices<dim>>> facet_vertices;
+  };
+} // namespace MortarContact
+
+#endif

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef mortar_contact_mortar_contact_h
+#define mortar_contact_mortar_contact_h
+
+/**
+ * @mainpage
+ * Mortar contact for deal.II. Begin with MortarContact::ContactInterface.
+ */
+
+#include <mortar_contact/host/contact_interface.h>
+#include <mortar_contact/laws/contact_modulus.h>
+#include <mortar_contact/parameters/contact_parameters.h>
+
+#endif

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef mortar_contact_report_contact_report_h
+#define mortar_contact_report_contact_report_h
+
+#include <mortar_contact/laws/initial_penetration.h>
+
+#include <deal.II/base/tensor.h>
+#include <deal.II/base/types.h>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace MortarContact
+{
+  using namespace dealii;
+
+  /// A facet in words a user can find it by.
+  struct FacetLabel
+  {
+    std::string             part; ///< Name given with add_secondary/primary.
+    types::global_dof_index cell = 0; ///< Global active cell index of the part.
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &part &cell;
+    }
+  };
+
+  /// One of the deepest penetrations.
+  struct DeepPenetration
+  {
+    double         penetration = 0.; ///< [m]
+    double         relative    = 0.; ///< Over the release depth; 1: released.
+    FacetLabel     secondary, primary;
+    Tensor<1, 3>   position; ///< [m]
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &penetration &relative &secondary &primary &position;
+    }
+  };
+
+  /// What was found at the start, and what is done about it.
+  struct InitialReport
+  {
+    unsigned int    n_facets = 0; ///< Facets that penetrate and are treated.
+    DeepPenetration deepest;      ///< Of them.
+    InitialPenetration treatment = InitialPenetration::stress;
+    /// Facets that penetrate by more than the release depth: no contact there
+    /// until they separate (IGNORE 0 to 3).
+    unsigned int    n_undetected = 0;
+    DeepPenetration undetected; ///< The deepest of them.
+    /// Ranges of contact modulus [Pa] and characteristic length [m], one per
+    /// side: secondary, primary.
+    double lowest_modulus[2] = {0., 0.}, highest_modulus[2] = {0., 0.};
+    double lowest_length[2] = {0., 0.}, highest_length[2] = {0., 0.};
+    /// Facets of the sides.
+    unsigned int n_side_facets[2] = {0, 0};
+  };
+
+  /**
+   * State of one interface, summed over all ranks. Forces act on the secondary
+   * body. Two-sided interfaces count pairs of both sweeps, and areas once.
+   */
+  struct ContactReport
+  {
+    std::string   name;
+    InitialReport initial;
+
+    unsigned int candidate_pairs  = 0;
+    unsigned int active_pairs     = 0; ///< With a penetration.
+    unsigned int open_pairs       = 0; ///< Overlap, but a gap.
+    unsigned int apart_pairs      = 0; ///< No overlap.
+    unsigned int beyond_pairs     = 0; ///< Points behind the other surface.
+    unsigned int degenerate_pairs = 0; ///< Facets without a usable shape.
+
+    double active_area          = 0.; ///< Undeformed [m^2]
+    double energy               = 0.; ///< In the contact springs [J]
+    double largest_penetration  = 0.; ///< [m]
+    double relative_penetration = 0.; ///< Largest, over the release depth.
+    double mean_penetration     = 0.; ///< Over the active area [m]
+    double smallest_gap = std::numeric_limits<double>::max(); ///< [m]
+    Tensor<1, 3> force;  ///< Resultant [N]
+    Tensor<1, 3> moment; ///< About the origin [N m]
+
+    /// The deepest penetrations, one per secondary facet.
+    std::vector<DeepPenetration> worst;
+
+    /// Facets beyond the release depth in the present configuration.
+    unsigned int n_too_deep = 0;
+    /// Facets whose contact has been released since setup().
+    unsigned int n_released = 0;
+
+    /// Whether pairs have come since the last add_couplings().
+    bool couplings_changed = true;
+
+    double search_seconds   = 0.; ///< Since setup(), slowest rank.
+    double evaluate_seconds = 0.;
+
+    /// The interface in one line.
+    std::string
+    brief() const;
+
+    /// What was found at the start, a few lines.
+    std::string
+    initial_text() const;
+  };
+} // namespace MortarContact
+
+#endif

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef mortar_contact_search_broad_phase_h
+#define mortar_contact_search_broad_phase_h
+
+#include <mortar_contact/geometry/facet.h>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace MortarContact
+{
+  /// Axis-parallel box [m].
+  template <int dim>
+  struct Box
+  {
+    Tensor<1, dim> low, high;
+  };
+
+  /// Smallest box around a facet.
+  template <int dim>
+  Box<dim>
+  box_around(const Facet<dim> &facet);
+
+  /// Enlarge @p box to hold @p x.
+  template <int dim>
+  void
+  extend(Box<dim> &box, const Tensor<1, dim> &x);
+
+  /// Enlarge @p box by @p by [m] in all directions.
+  template <int dim>
+  void
+  inflate(Box<dim> &box, const double by);
+
+  /// An R-tree over boxes: finds all that intersect a query box, O(log n) each.
+  template <int dim>
+  class BroadPhase
+  {
+  public:
+    explicit BroadPhase(const std::vector<Box<dim>> &boxes);
+    ~BroadPhase();
+
+    /// Numbers of all boxes that intersect @p box, in ascending order.
+    std::vector<unsigned int>
+    find(const Box<dim> &box) const;
+
+  private:
+    struct Tree;
+    std::unique_ptr<Tree> tree;
+  };
+} // namespace MortarContact
+
+#endif

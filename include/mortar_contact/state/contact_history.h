@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef mortar_contact_state_contact_history_h
+#define mortar_contact_state_contact_history_h
+
+#include <mortar_contact/geometry/facet.h>
+
+#include <vector>
+
+namespace MortarContact
+{
+  /// Material points of a facet that carry state: 2 on lines, 3 on triangles,
+  /// 2 x 2 on quadrilaterals (Gauss points; in the order of the vertices).
+  template <int dim>
+  std::vector<PlanePoint<dim>>
+  material_points(const unsigned int n_vertices);
+
+  /// Values at the vertices of the (bi)linear function that has the given
+  /// values at the material points.
+  template <int dim>
+  VertexValues<dim>
+  extrapolate_to_vertices(const unsigned int       n_vertices,
+                          const VertexValues<dim> &at_points);
+
+  /**
+   * State of the secondary facets of one sweep that a rank owns. It lives on
+   * material points, never on pairs, so nothing breaks when a point meets
+   * another facet. Changes in commit() only. Allocated where a scene needs it:
+   * an interface without initial penetrations and releases stores nothing.
+   */
+  template <int dim>
+  struct ContactHistory
+  {
+    /// Level of the initial penetration at the material points, by owned facet;
+    /// see offset() in laws/initial_penetration.h [m]. Empty: none.
+    std::vector<VertexValues<dim>> level;
+
+    /// Facets whose contact was released, until they open. Empty: none.
+    std::vector<char> released;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &level &released;
+    }
+  };
+} // namespace MortarContact
+
+#endif

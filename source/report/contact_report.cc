@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <mortar_contact/parameters/contact_parameters.h>
+#include <mortar_contact/report/contact_report.h>
+
+#include <sstream>
+
+namespace MortarContact
+{
+  namespace
+  {
+    std::string
+    in_words(const DeepPenetration &p)
+    {
+      std::ostringstream out;
+      out << "cell " << p.secondary.cell << " of '" << p.secondary.part
+          << "' at (" << p.position << ")";
+      return out.str();
+    }
+  } // namespace
+
+
+
+  std::string
+  ContactReport::brief() const
+  {
+    std::ostringstream out;
+    out.precision(4);
+    out << "'" << name << "': " << active_pairs << " pairs, force " << force.norm()
+        << ", penetration " << largest_penetration << " ("
+        << 100. * relative_penetration << " % of release)";
+    if (n_too_deep > 0)
+      out << ", " << n_too_deep << " facets beyond release";
+    if (n_released > 0)
+      out << ", " << n_released << " facets released so far";
+    return out.str();
+  }
+
+
+
+  std::string
+  ContactReport::initial_text() const
+  {
+    std::ostringstream out;
+    out.precision(4);
+    out << "Interface '" << name << "'\n";
+    const char *const sides[2] = {"secondary", "primary"};
+    for (unsigned int s = 0; s < 2; ++s)
+      out << "  " << sides[s] << ": " << initial.n_side_facets[s]
+          << " facets, contact modulus " << initial.lowest_modulus[s] << " to "
+          << initial.highest_modulus[s] << ", characteristic length "
+          << initial.lowest_length[s] << " to " << initial.highest_length[s]
+          << "\n";
+    if (initial.n_facets == 0 && initial.n_undetected == 0)
+      out << "  no initial penetrations\n";
+    if (initial.n_facets > 0)
+      out << "  initial penetrations: " << initial.n_facets
+          << " facets, deepest " << initial.deepest.penetration << " ("
+          << 100. * initial.deepest.relative << " % of release), "
+          << in_words(initial.deepest) << "; treatment: "
+          << to_string(initial.treatment) << "\n";
+    if (initial.n_undetected > 0)
+      out << "  WARNING: " << initial.n_undetected
+          << " facets penetrate by more than the release depth at the start, "
+             "deepest "
+          << initial.undetected.penetration << ", "
+          << in_words(initial.undetected)
+          << "; they have no contact until they separate. Consider 'Initial "
+             "penetration = remove over time deep'.\n";
+    return out.str();
+  }
+} // namespace MortarContact
