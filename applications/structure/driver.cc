@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "driver.h"
+
+#include "simulation.h"
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+#include <sstream>
+
+namespace Structure
+{
+  namespace
+  {
+    /// The message of an exception without deal.II's banner and stack.
+    std::string
+    message_of(const std::exception &e)
+    {
+      std::string text = e.what();
+      if (const auto *ours = dynamic_cast<const ExceptionBase *>(&e))
+        {
+          std::ostringstream info;
+          ours->print_info(info);
+          text = info.str();
+        }
+      return Utilities::trim(text);
+    }
+
+    template <int dim>
+    ExitCode
+    run_scene(const Scene       &scene,
+              const std::string &used,
+              const std::string &restart,
+              const bool         check_only,
+              Log               &log)
+    {
+      Simulation<dim> simulation(scene, used, MPI_COMM_WORLD, log);
+      simulation.setup();
+      if (check_only)
+        {
+          log.line("The scene is complete; not solved (--check).");
+          return finished;
+        }
+      if (!restart.empty())
+        simulation.restart(restart);
+      return simulation.run();
+    }
+  } // namespace
+
+
+
+  int
+  run_driver(const Driver &driver, int argc, char **argv)
+  {
+    // a user's mistake is no reason for a stack trace
+    deal_II_exceptions::suppress_stacktrace_in_exceptions();
+    Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+    const bool is_root = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+
+    CLI::App                 app(driver.description, driver.name);
+    SceneSource              source;
+    std::string              output, restart;
+    bool                     print = false, check = false, quiet = false;
+    source.driver = driver.name;
+    app.add_option("FILE", source.file, "Parameter file (.prm)");
+    app.add_option("--set",
+                   source.settings,
+                   "\"Section/Sub section/Entry=value\", after the file; may be "
+                   "given several times")
+      ->expected(1)
+      ->take_all();
+    app.add_option("--output", output, "Folder for the results");
+    app.add_option("--restart", restart, "Continue the run in this folder");
+    app.add_flag("--print-parameters", print, "Print the annotated defaults");
+    app.add_flag("--check", check, "Read, build and report, do not solve");
+    app.add_flag("--quiet", quiet, "Nothing on the terminal but errors");
+    app.set_version_flag("--version", "MortarContact 0.1.0");
+    try
+      {
+        app.parse(argc, argv);
+      }
+    catch (const CLI::ParseError &e)
+      {
+        const bool asked = e.get_exit_code() == 0;
+        if (is_root)
+          app.exit(e);
+        return asked ? finished : wrong_input;
+      }
+    if (print)
+      {
+        if (is_root)
+          std::cout << driver.defaults();
+        return finished;
+      }
+
+    // Everything up to the first step that fails is the input's fault.
+    ExitCode stage = wrong_input;
+    try
+      {
+        AssertThrow(!source.file.empty(),
+                    ExcMessage("No parameter file given; expected " +
+                               driver.name + " FILE.prm. See --help."));
+        if (!output.empty())
+          source.settings.push_back("Output/Directory=" + output);
+        std::string used;
+        const Scene scene = driver.read(source, used);
+        Log         log(MPI_COMM_WORLD, quiet);
+        log.line(driver.name + " " + source.file);
+
+        const ExitCode code =
+          (scene.dimension == 2) ?
+            run_scene<2>(scene, used, restart, check, log) :
+            run_scene<3>(scene, used, restart, check, log);
+        if (code == finished && !check && driver.finish)
+          driver.finish(scene.output.directory, MPI_COMM_WORLD);
+        return code;
+      }
+    catch (const ExcInternalError &e)
+      {
+        stage = internal_error;
+        if (is_root)
+          std::cerr << "Internal error: " << message_of(e) << std::endl;
+      }
+    catch (const std::exception &e)
+      {
+        if (is_root)
+          std::cerr << "ERROR: " << message_of(e) << std::endl;
+      }
+    return stage;
+  }
+} // namespace Structure

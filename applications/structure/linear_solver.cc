@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "linear_solver.h"
+
+#include <deal.II/base/patterns.h>
+
+#include <deal.II/lac/solver_cg.h>
+#include <deal.II/lac/solver_gmres.h>
+#include <deal.II/lac/trilinos_precondition.h>
+#include <deal.II/lac/trilinos_solver.h>
+
+#include <Epetra_MultiVector.h>
+#include <Teuchos_ParameterList.hpp>
+
+namespace Structure
+{
+  namespace
+  {
+    bool
+    solve_direct(const Matrix_t &matrix, const Vector_t &rhs, Vector_t &x)
+    {
+      SolverControl                                  control(1, 0.);
+      TrilinosWrappers::SolverDirect::AdditionalData data(false, "Amesos_Mumps");
+      TrilinosWrappers::SolverDirect                 solver(control, data);
+      try
+        {
+          solver.solve(matrix, x, rhs);
+        }
+      catch (const std::exception &)
+        {
+          return false; // singular
+        }
+      return std::isfinite(x.l2_norm());
+    }
+  } // namespace
+
+
+
+  void
+  LinearSolverParameters::declare(ParameterHandler &prm)
+  {
+    prm.declare_entry("Type",
+                      "automatic",
+                      Patterns::Selection("automatic|direct|iterative"),
+                      "direct: MUMPS. iterative: CG or GMRES with algebraic "
+                      "multigrid. automatic: direct up to the limit below.");
+    prm.declare_entry("Direct up to",
+                      "60000",
+                      Patterns::Integer(0),
+                      "Unknowns up to which automatic means direct in 3d; in 2d "
+                      "ten times as many [-].");
+    prm.declare_entry("Tolerance",
+                      "1e-10",
+                      Patterns::Double(1e-15, 1e-1),
+                      "Residual over right-hand side, iterative [-].");
+    prm.declare_entry("Maximum iterations",
+                      "2000",
+                      Patterns::Integer(1),
+                      "Then the direct solver takes over [-].");
+  }
+
+
+
+  void
+  LinearSolverParameters::read(ParameterHandler &prm)
+  {
+    type           = prm.get("Type");
+    direct_limit   = prm.get_integer("Direct up to");
+    tolerance      = prm.get_double("Tolerance");
+    max_iterations = prm.get_integer("Maximum iterations");
+  }
+
+
+
+  template <int dim>
+  LinearSolve
+  solve_linear(const Model<dim>             &model,
+               const LinearSolverParameters &parameters,
+               Vector_t                     &x)
+  {
+    LinearSolve result;
+    const bool  iterative =
+      parameters.type == "iterative" ||
+      (parameters.type == "automatic" &&
+       model.n_dofs() > parameters.direct_limit * (dim == 2 ? 10. : 1.));
+    if (iterative)
+      {
+        TrilinosWrappers::PreconditionAMG                 amg;
+        TrilinosWrappers::PreconditionAMG::AdditionalData data;
+        data.elliptic              = true;
+        data.aggregation_threshold = 0.02;
+        data.smoother_sweeps       = 2;
+        Teuchos::ParameterList              list;
+        std::unique_ptr<Epetra_MultiVector> modes;
+        data.set_parameters(list, modes, model.matrix);
+        const auto rigid = model.rigid_body_modes();
+        modes            = std::make_unique<Epetra_MultiVector>(
+          model.matrix.trilinos_matrix().DomainMap(), rigid.size());
+        for (unsigned int m = 0; m < rigid.size(); ++m)
+          for (unsigned int i = 0; i < rigid[m].size(); ++i)
+            (*modes)[m][i] = rigid[m][i];
+        list.set("null space: type", "pre-computed");
+        list.set("null space: dimension", modes->NumVectors());
+        list.set("null space: vectors", modes->Values());
+        amg.initialize(model.matrix, list);
+
+        SolverControl control(parameters.max_iterations,
+                              parameters.tolerance * model.rhs.l2_norm());
+        result.method = model.is_symmetric ? "CG" : "GMRES";
+        try
+          {
+            x = 0.;
+            if (model.is_symmetric)
+              SolverCG<Vector_t>(control).solve(model.matrix, x, model.rhs, amg);
+            else
+              SolverGMRES<Vector_t>(
+                control, SolverGMRES<Vector_t>::AdditionalData(100))
+                .solve(model.matrix, x, model.rhs, amg);
+            result.converged  = std::isfinite(x.l2_norm());
+            result.iterations = control.last_step();
+          }
+        catch (const SolverControl::NoConvergence &e)
+          {
+            result.iterations = e.last_step;
+          }
+        if (result.converged)
+          return result;
+      }
+    result.method =
+      iterative ? result.method + " failed, MUMPS" : std::string("MUMPS");
+    result.converged = solve_direct(model.matrix, model.rhs, x);
+    return result;
+  }
+
+
+
+  template LinearSolve
+  solve_linear(const Model<2> &, const LinearSolverParameters &, Vector_t &);
+  template LinearSolve
+  solve_linear(const Model<3> &, const LinearSolverParameters &, Vector_t &);
+} // namespace Structure

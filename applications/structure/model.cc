@@ -1,0 +1,569 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "model.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <deal.II/dofs/dof_tools.h>
+
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/sparsity_tools.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Structure
+{
+  template <int dim>
+  Model<dim>::Model(const MPI_Comm communicator, TimerOutput &timer)
+    : communicator(communicator)
+    , timer(timer)
+  {}
+
+
+
+  template <int dim>
+  const Body<dim> &
+  Model<dim>::body(const std::string &name) const
+  {
+    for (const auto &b : bodies)
+      if (b->name == name)
+        return *b;
+    AssertThrow(false, ExcMessage("There is no body called '" + name + "'."));
+    return *bodies.front();
+  }
+
+
+
+  template <int dim>
+  void
+  Model<dim>::number_dofs()
+  {
+    // Rank after rank, body after body: contiguous ranges for each rank.
+    const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator);
+    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+    std::vector<std::vector<types::global_dof_index>> counts; // [body][rank]
+    total_dofs = 0;
+    for (const auto &b : bodies)
+      {
+        counts.push_back(
+          Utilities::MPI::all_gather(communicator,
+                                     b->dof_handler.n_locally_owned_dofs()));
+        total_dofs += b->dof_handler.n_dofs();
+      }
+
+    owned.clear();
+    owned.set_size(total_dofs);
+    std::vector<std::vector<types::global_dof_index>> firsts(bodies.size()),
+      targets(bodies.size());
+    std::vector<types::global_dof_index> next(bodies.size(), 0);
+    types::global_dof_index              target = 0;
+    for (unsigned int r = 0; r < n_ranks; ++r)
+      {
+        const types::global_dof_index begin = target;
+        for (unsigned int b = 0; b < bodies.size(); ++b)
+          {
+            firsts[b].push_back(next[b]);
+            targets[b].push_back(target);
+            next[b] += counts[b][r];
+            target += counts[b][r];
+          }
+        if (r == rank)
+          owned.add_range(begin, target);
+      }
+    owned.compress();
+
+    relevant = owned;
+    std::vector<types::global_dof_index> dofs;
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      {
+        bodies[b]->numbering = MortarContact::DoFNumbering(firsts[b], targets[b]);
+        dofs.resize(bodies[b]->fe->n_dofs_per_cell());
+        for (const auto &cell : bodies[b]->dof_handler.active_cell_iterators())
+          if (cell->is_locally_owned())
+            {
+              cell->get_dof_indices(dofs);
+              for (const auto d : dofs)
+                relevant.add_index(bodies[b]->numbering(d));
+            }
+      }
+    relevant.compress();
+  }
+
+
+
+  template <int dim>
+  void
+  Model<dim>::setup()
+  {
+    // Step 1: hanging nodes, in the model's numbering. Every rank knows the
+    // whole mesh, so it knows all lines.
+    IndexSet all(total_dofs);
+    all.add_range(0, total_dofs);
+    hanging = MortarContact::Compat::make_constraints(owned, all);
+    none    = MortarContact::Compat::make_constraints(owned, all);
+    none.close();
+    for (const auto &b : bodies)
+      {
+        AffineConstraints<double> local;
+        DoFTools::make_hanging_node_constraints(b->dof_handler, local);
+        for (const auto &line : local.get_lines())
+          {
+            const auto dof = b->numbering(line.index);
+            hanging.add_line(dof);
+            for (const auto &[other, weight] : line.entries)
+              hanging.add_entry(dof, b->numbering(other), weight);
+          }
+      }
+    hanging.close();
+
+    // Step 2: conditions and loads.
+    node_conditions = std::make_unique<NodeConditions<dim>>(bodies, conditions);
+    is_symmetric    = true;
+    loads.clear();
+    for (const auto &b : bodies)
+      if (!b->body_force.empty())
+        {
+          Load load{nullptr, b.get(), {}, {}};
+          const std::vector<std::string> components =
+            Utilities::split_string_list(b->body_force, ";");
+          AssertThrow(components.size() == dim,
+                      ExcMessage("'Bodies/" + b->name +
+                                 "/Body force' has " +
+                                 std::to_string(components.size()) +
+                                 " components; expected " + std::to_string(dim) +
+                                 ", separated by semicolons."));
+          for (unsigned int i = 0; i < dim; ++i)
+            {
+              load.of_component[i] = i;
+              load.formulas.emplace_back(components[i],
+                                         "Bodies/" + b->name + "/Body force");
+            }
+          loads.push_back(std::move(load));
+        }
+    for (const BoundaryCondition &c : conditions)
+      {
+        const bool is_pressure = c.type == BoundaryCondition::Type::pressure;
+        if (!is_pressure && c.type != BoundaryCondition::Type::traction)
+          continue;
+        Load load{&c, &body(c.body), {}, {}};
+        load.of_component.fill(-1);
+        for (unsigned int i = 0; i < (is_pressure ? 1 : dim); ++i)
+          if (c.values[i] != "free")
+            {
+              load.of_component[i] = load.formulas.size();
+              load.formulas.emplace_back(c.values[i],
+                                         "Boundary conditions/" + c.name);
+            }
+        if (is_pressure && !load.body->material->is_linear)
+          is_symmetric = false;
+        loads.push_back(std::move(load));
+      }
+    for (const auto &interface : interfaces)
+      is_symmetric = is_symmetric && interface->parameters.symmetric_tangent;
+
+    // Step 3: vectors, and the size of the scene.
+    rhs      = make_vector();
+    internal = make_vector();
+    external = make_vector();
+    contact  = make_vector();
+    Point<dim> low, high;
+    bool       first = true;
+    for (const auto &b : bodies)
+      for (const Point<dim> &v : b->triangulation.get_vertices())
+        {
+          for (unsigned int i = 0; i < dim; ++i)
+            {
+              low[i]  = first ? v[i] : std::min(low[i], v[i]);
+              high[i] = first ? v[i] : std::max(high[i], v[i]);
+            }
+          first = false;
+        }
+    size               = low.distance(high);
+    pattern_is_current = false;
+  }
+
+
+
+  template <int dim>
+  Vector_t
+  Model<dim>::make_vector() const
+  {
+    return Vector_t(owned, communicator);
+  }
+
+
+
+  template <int dim>
+  Vector_t
+  Model<dim>::ghosted(const Vector_t &u) const
+  {
+    Vector_t result(owned, relevant, communicator);
+    result = u;
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
+  Model<dim>::cell_values(
+    const Body<dim>                                      &body,
+    const typename DoFHandler<dim>::active_cell_iterator &cell,
+    const Vector_t                                       &ghosted,
+    Vector<double>                                       &values,
+    std::vector<types::global_dof_index>                 &dofs) const
+  {
+    dofs.resize(body.fe->n_dofs_per_cell());
+    values.reinit(dofs.size());
+    cell->get_dof_indices(dofs);
+    for (unsigned int a = 0; a < dofs.size(); ++a)
+      {
+        dofs[a]   = body.numbering(dofs[a]);
+        values(a) = ghosted(dofs[a]);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  Model<dim>::make_constraints(const Vector_t &u, const double time)
+  {
+    // Prescribed values need the present displacement of their nodes, which may
+    // live on any rank: small, so all ranks get all of them.
+    constraints =
+      MortarContact::Compat::make_constraints(owned,
+                                              complete_index_set(total_dofs));
+    constraints.merge(hanging, AffineConstraints<double>::left_object_wins);
+    std::vector<types::global_dof_index> prescribed;
+    node_conditions->add_dofs(prescribed);
+    std::sort(prescribed.begin(), prescribed.end());
+    prescribed.erase(std::unique(prescribed.begin(), prescribed.end()),
+                     prescribed.end());
+    std::vector<double> values(prescribed.size(), 0.);
+    for (std::size_t i = 0; i < prescribed.size(); ++i)
+      if (owned.is_element(prescribed[i]))
+        values[i] = u(prescribed[i]);
+    Utilities::MPI::sum(values, communicator, values);
+    node_conditions->add_lines(
+      [&](const types::global_dof_index dof) {
+        return values[std::lower_bound(prescribed.begin(), prescribed.end(), dof) -
+                      prescribed.begin()];
+      },
+      time,
+      constraints);
+    norms.to_prescribe = 0.;
+    for (const auto &line : constraints.get_lines())
+      norms.to_prescribe =
+        std::max(norms.to_prescribe, std::abs(line.inhomogeneity));
+    constraints.close();
+  }
+
+
+
+  template <int dim>
+  void
+  Model<dim>::make_matrix()
+  {
+    TimerOutput::Scope     scope(timer, "matrix pattern");
+    DynamicSparsityPattern dsp(total_dofs, total_dofs);
+    std::vector<types::global_dof_index> dofs;
+    for (const auto &b : bodies)
+      {
+        dofs.resize(b->fe->n_dofs_per_cell());
+        for (const auto &cell : b->dof_handler.active_cell_iterators())
+          if (cell->is_locally_owned())
+            {
+              cell->get_dof_indices(dofs);
+              for (auto &d : dofs)
+                d = b->numbering(d);
+              constraints.add_entries_local_to_global(dofs, dsp, false);
+            }
+      }
+    for (const auto &interface : interfaces)
+      interface->add_couplings(dsp, constraints);
+    SparsityTools::distribute_sparsity_pattern(dsp,
+                                               owned,
+                                               communicator,
+                                               complete_index_set(total_dofs));
+    matrix.clear();
+    matrix.reinit(owned, owned, dsp, communicator);
+    n_nonzero          = matrix.n_nonzero_elements();
+    pattern_is_current = true;
+  }
+
+
+
+  template <int dim>
+  void
+  Model<dim>::add_loads(
+    const Body<dim>                                      &body,
+    const typename DoFHandler<dim>::active_cell_iterator &cell,
+    const Vector<double>                                 &u,
+    const double                                          time,
+    Vector<double>                                       &f,
+    FullMatrix<double>                                   &tangent)
+  {
+    const std::vector<unsigned int> component = components_of<dim>(*body.fe);
+    for (Load &load : loads)
+      {
+        if (load.body != &body)
+          continue;
+        if (load.condition == nullptr)
+          {
+            FEValues<dim> fe_values(*body.mapping,
+                                    *body.fe,
+                                    *body.quadrature,
+                                    update_values | update_JxW_values |
+                                      update_quadrature_points);
+            fe_values.reinit(cell);
+            for (const unsigned int q : fe_values.quadrature_point_indices())
+              for (unsigned int a = 0; a < component.size(); ++a)
+                f(a) += load.formulas[component[a]].value(
+                          fe_values.quadrature_point(q), time) *
+                        fe_values.shape_value(a, q) * fe_values.JxW(q);
+            continue;
+          }
+
+        const bool is_pressure =
+          load.condition->type == BoundaryCondition::Type::pressure;
+        for (const unsigned int face : cell->face_indices())
+          {
+            if (!cell->face(face)->at_boundary() ||
+                load.condition->boundaries.count(
+                  cell->face(face)->boundary_id()) == 0)
+              continue;
+            FEFaceValues<dim> fe_values(
+              *body.mapping,
+              *body.fe,
+              *body.face_quadrature,
+              update_values | update_gradients | update_JxW_values |
+                update_normal_vectors | update_quadrature_points);
+            fe_values.reinit(cell, face);
+            for (const unsigned int q : fe_values.quadrature_point_indices())
+              {
+                const double     w = fe_values.JxW(q);
+                const Point<dim> x = fe_values.quadrature_point(q);
+                if (!is_pressure)
+                  {
+                    for (unsigned int a = 0; a < component.size(); ++a)
+                      if (load.of_component[component[a]] >= 0)
+                        f(a) += load.formulas[load.of_component[component[a]]]
+                                  .value(x, time) *
+                                fe_values.shape_value(a, q) * w;
+                    continue;
+                  }
+                // Nanson: n da = J F^-T N dA; dead on small strains
+                const double p = load.formulas[0].value(x, time) * w;
+                Tensor<1, 3> N;
+                for (unsigned int i = 0; i < dim; ++i)
+                  N[i] = fe_values.normal_vector(q)[i];
+                Tensor<2, 3> F = deformation_gradient<dim>(
+                  fe_values,
+                  component,
+                  body.material->is_linear ? Vector<double>(u.size()) : u,
+                  q);
+                const double       J = determinant(F);
+                const Tensor<2, 3> H = transpose(invert(F));
+                const Tensor<1, 3> n = J * (H * N);
+                for (unsigned int a = 0; a < component.size(); ++a)
+                  {
+                    f(a) -= p * n[component[a]] * fe_values.shape_value(a, q);
+                    if (tangent.empty() || body.material->is_linear)
+                      continue;
+                    const unsigned int i = component[a];
+                    for (unsigned int b = 0; b < component.size(); ++b)
+                      {
+                        const unsigned int   k = component[b];
+                        const Tensor<1, dim> g = fe_values.shape_grad(b, q);
+                        double               d = 0.;
+                        for (unsigned int K = 0; K < dim; ++K)
+                          for (unsigned int L = 0; L < dim; ++L)
+                            d += J * (H[i][K] * H[k][L] - H[i][L] * H[k][K]) *
+                                 N[K] * g[L];
+                        tangent(a, b) += p * d * fe_values.shape_value(a, q);
+                      }
+                  }
+              }
+          }
+      }
+  }
+
+
+
+  template <int dim>
+  std::string
+  Model<dim>::assemble(const Vector_t &u,
+                       const double    time,
+                       const bool      with_tangent)
+  {
+    const Vector_t u_ghosted = ghosted(u);
+    make_constraints(u, time);
+
+    // Step 1: contact first: it may need entries in the matrix.
+    bool couplings_changed = false;
+    {
+      TimerOutput::Scope scope(timer, "contact: search and evaluation");
+      for (const auto &interface : interfaces)
+        {
+          interface->update(u, time, with_tangent);
+          couplings_changed =
+            couplings_changed || interface->report().couplings_changed;
+        }
+    }
+    if (with_tangent)
+      {
+        if (couplings_changed || !pattern_is_current)
+          make_matrix();
+        matrix = 0.;
+      }
+    rhs      = 0.;
+    internal = 0.;
+    external = 0.;
+    contact  = 0.;
+
+    // Step 2: cells.
+    std::string failure;
+    {
+      TimerOutput::Scope                   scope(timer, "assembly: cells");
+      std::vector<types::global_dof_index> dofs;
+      Vector<double>                       values, forces, loaded;
+      FullMatrix<double>                   tangent;
+      for (const auto &b : bodies)
+        {
+          Element<dim>       element(*b);
+          const unsigned int n = b->fe->n_dofs_per_cell();
+          const bool         is_loaded =
+            std::any_of(loads.begin(), loads.end(), [&](const Load &load) {
+              return load.body == b.get();
+            });
+          forces.reinit(n);
+          loaded.reinit(n);
+          if (with_tangent)
+            tangent.reinit(n, n);
+          for (const auto &cell : b->dof_handler.active_cell_iterators())
+            if (cell->is_locally_owned())
+              {
+                cell_values(*b, cell, u_ghosted, values, dofs);
+                if (!element.evaluate(
+                      cell, values, with_tangent, forces, tangent))
+                  {
+                    failure = "cell " +
+                              std::to_string(cell->global_active_cell_index()) +
+                              " of '" + b->name + "' at (" +
+                              Utilities::to_string(cell->center()[0], 4) + ", " +
+                              Utilities::to_string(cell->center()[1], 4) +
+                              (dim == 3 ? ", " + Utilities::to_string(
+                                                   cell->center()[dim - 1], 4) :
+                                          "") +
+                              ") turned inside out";
+                    break;
+                  }
+                none.distribute_local_to_global(forces, dofs, internal);
+                if (is_loaded)
+                  {
+                    loaded = 0.;
+                    add_loads(*b, cell, values, time, loaded, tangent);
+                    none.distribute_local_to_global(loaded, dofs, external);
+                    forces -= loaded;
+                  }
+                forces *= -1.;
+                if (with_tangent)
+                  constraints.distribute_local_to_global(
+                    tangent, forces, dofs, matrix, rhs);
+                else
+                  constraints.distribute_local_to_global(forces, dofs, rhs);
+              }
+        }
+    }
+    for (const std::string &f : Utilities::MPI::all_gather(communicator, failure))
+      if (!f.empty())
+        failure = f;
+
+    // Step 3: contact.
+    {
+      TimerOutput::Scope scope(timer, "contact: assembly");
+      for (const auto &interface : interfaces)
+        {
+          if (with_tangent)
+            interface->assemble(matrix, rhs, constraints);
+          else
+            interface->assemble(rhs, constraints);
+          interface->assemble(contact, none);
+        }
+    }
+    if (with_tangent)
+      matrix.compress(VectorOperation::add);
+    for (Vector_t *v : {&rhs, &internal, &external, &contact})
+      v->compress(VectorOperation::add);
+    norms.residual = rhs.l2_norm();
+    norms.internal = internal.l2_norm();
+    norms.external = external.l2_norm();
+    norms.contact  = contact.l2_norm();
+    return failure;
+  }
+
+
+
+  template <int dim>
+  Tensor<1, 3>
+  Model<dim>::reaction(const unsigned int c) const
+  {
+    std::vector<double> sum(3, 0.);
+    for (const auto &[dof, component] : node_conditions->dofs_of(c))
+      if (owned.is_element(dof))
+        sum[component] += internal(dof) - external(dof) - contact(dof);
+    Utilities::MPI::sum(sum, communicator, sum);
+    return Tensor<1, 3>({sum[0], sum[1], sum[2]});
+  }
+
+
+
+  template <int dim>
+  std::vector<std::vector<double>>
+  Model<dim>::rigid_body_modes() const
+  {
+    constexpr unsigned int n_modes = (dim == 2) ? 3 : 6;
+    std::vector<std::vector<double>> modes(
+      n_modes, std::vector<double>(owned.n_elements(), 0.));
+    std::vector<types::global_dof_index> dofs;
+    for (const auto &b : bodies)
+      {
+        dofs.resize(b->fe->n_dofs_per_cell());
+        const FiniteElement<dim> &scalar = b->fe->base_element(0);
+        for (const auto &cell : b->dof_handler.active_cell_iterators())
+          if (cell->is_locally_owned())
+            {
+              cell->get_dof_indices(dofs);
+              for (unsigned int a = 0; a < dofs.size(); ++a)
+                {
+                  const auto dof = b->numbering(dofs[a]);
+                  if (!owned.is_element(dof))
+                    continue;
+                  const auto         i = owned.index_within_set(dof);
+                  const auto         node = b->fe->system_to_component_index(a);
+                  const unsigned int c    = node.first;
+                  const Point<dim>   x =
+                    b->mapping->transform_unit_to_real_cell(
+                      cell, scalar.unit_support_point(node.second));
+                  modes[c][i] = 1.;
+                  if constexpr (dim == 2)
+                    modes[2][i] = (c == 0) ? -x[1] : x[0];
+                  else
+                    for (unsigned int r = 0; r < 3; ++r)
+                      // rotation about axis r: e_r x x
+                      if (c == (r + 1) % 3)
+                        modes[3 + r][i] = -x[(r + 2) % 3];
+                      else if (c == (r + 2) % 3)
+                        modes[3 + r][i] = x[(r + 1) % 3];
+                }
+            }
+      }
+    return modes;
+  }
+
+
+
+  template class Model<2>;
+  template class Model<3>;
+} // namespace Structure

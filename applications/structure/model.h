@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef mortar_contact_structure_model_h
+#define mortar_contact_structure_model_h
+
+#include "element.h"
+#include "loads.h"
+
+#include <mortar_contact/mortar_contact.h>
+
+#include <deal.II/base/timer.h>
+
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+#include <deal.II/lac/trilinos_vector.h>
+
+#include <memory>
+#include <vector>
+
+namespace Structure
+{
+  using Vector_t = TrilinosWrappers::MPI::Vector;
+  using Matrix_t = TrilinosWrappers::SparseMatrix;
+
+  /// Norms of the force vectors of the last assembly [N].
+  struct ForceNorms
+  {
+    double residual = 0.; ///< Of the free dofs.
+    double internal = 0., external = 0., contact = 0.;
+    /// Largest prescribed motion still to be done [m].
+    double to_prescribe = 0.;
+  };
+
+  /**
+   * All bodies, what holds and loads them, and the contact between them, with
+   * one numbering of all dofs: each rank owns one contiguous range.
+   *
+   * Residual: internal forces - external forces - contact forces.
+   */
+  template <int dim>
+  class Model
+  {
+  public:
+    explicit Model(const MPI_Comm communicator, TimerOutput &timer);
+
+    std::vector<std::unique_ptr<Body<dim>>>                            bodies;
+    std::vector<BoundaryCondition>                                     conditions;
+    std::vector<std::unique_ptr<MortarContact::ContactInterface<dim>>> interfaces;
+
+    /// Number the dofs; after the bodies are there, before the interfaces.
+    void
+    number_dofs();
+
+    /// Set up conditions and vectors; after everything else is there.
+    void
+    setup();
+
+    types::global_dof_index
+    n_dofs() const
+    {
+      return total_dofs;
+    }
+
+    const IndexSet &
+    owned_dofs() const
+    {
+      return owned;
+    }
+
+    /// A zero vector of the owned dofs.
+    Vector_t
+    make_vector() const;
+
+    /**
+     * Assemble residual (and tangent) at @p u, @p time.
+     * @return Why this is impossible (a cell turned inside out), or nothing.
+     */
+    std::string
+    assemble(const Vector_t &u, const double time, const bool with_tangent);
+
+    /// Reaction of the boundary condition number @p c at the last assembly:
+    /// force that it exerts on the body [N].
+    Tensor<1, 3>
+    reaction(const unsigned int c) const;
+
+    /// Rigid body motions on the owned dofs: [mode][owned dof].
+    std::vector<std::vector<double>>
+    rigid_body_modes() const;
+
+    const Body<dim> &
+    body(const std::string &name) const;
+
+    /// Values at the dofs of a cell of @p body of the last distributed vector.
+    void
+    cell_values(const Body<dim>                                      &body,
+                const typename DoFHandler<dim>::active_cell_iterator &cell,
+                const Vector_t                                       &ghosted,
+                Vector<double>                                       &values,
+                std::vector<types::global_dof_index> &dofs) const;
+
+    /// @p u with the values that this rank's cells need.
+    Vector_t
+    ghosted(const Vector_t &u) const;
+
+    const MPI_Comm            communicator;
+    TimerOutput              &timer;
+    AffineConstraints<double> constraints; ///< For the next update.
+    Matrix_t                  matrix;
+    Vector_t                  rhs; ///< Minus the residual, condensed.
+    ForceNorms                norms;
+    double                    size = 0.; ///< Diagonal of the scene's box [m]
+    bool                      is_symmetric = true;
+    std::size_t               n_nonzero    = 0;
+
+  private:
+    void
+    make_constraints(const Vector_t &ghosted_u, const double time);
+
+    void
+    make_matrix();
+
+    /// External forces of one cell: body force, tractions, pressures; with the
+    /// derivative of the pressures subtracted from the tangent.
+    void
+    add_loads(const Body<dim>                                      &body,
+              const typename DoFHandler<dim>::active_cell_iterator &cell,
+              const Vector<double>                                 &u,
+              const double                                          time,
+              Vector<double>                                       &external,
+              FullMatrix<double>                                   &tangent);
+
+    types::global_dof_index              total_dofs = 0;
+    IndexSet                             owned, relevant;
+    AffineConstraints<double>            hanging, none;
+    std::unique_ptr<NodeConditions<dim>> node_conditions;
+    Vector_t                             internal, external, contact;
+    bool                                 pattern_is_current = false;
+
+    /// Loads by body, with their formulas.
+    struct Load
+    {
+      const BoundaryCondition     *condition; ///< Null: body force.
+      const Body<dim>             *body;
+      std::vector<Expression<dim>> formulas; ///< Empty components: none.
+      std::array<int, dim>         of_component;
+    };
+    std::vector<Load> loads;
+  };
+} // namespace Structure
+
+#endif

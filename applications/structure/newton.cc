@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "newton.h"
+
+#include <deal.II/base/patterns.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Structure
+{
+  namespace
+  {
+    /// Forces below this times (stiffness x area of the scene) are none.
+    constexpr double force_floor = 1e-12;
+
+    /// Motions below this times the size of the scene are none.
+    constexpr double motion_floor = 1e-12;
+
+    /// A residual this much below the tolerance needs no second witness.
+    constexpr double surely_converged = 1e-3;
+
+    /// The line search accepts an update when the residual's work along it
+    /// falls below this share.
+    constexpr double enough = 0.9;
+
+    /// Trials of the line search.
+    constexpr unsigned int max_trials = 4;
+  } // namespace
+
+
+
+  void
+  NewtonParameters::declare(ParameterHandler &prm)
+  {
+    prm.declare_entry("Force tolerance",
+                      "1e-8",
+                      Patterns::Double(1e-15, 1e-1),
+                      "Residual over the largest of internal, external and "
+                      "contact forces [-].");
+    prm.declare_entry("Displacement tolerance",
+                      "1e-6",
+                      Patterns::Double(1e-15, 1e6),
+                      "Last update over the motion of the step [-].");
+    prm.declare_entry("Maximum iterations",
+                      "25",
+                      Patterns::Integer(1, 1000),
+                      "Then the step is cut back [-].");
+    prm.declare_entry("Line search",
+                      "energy",
+                      Patterns::Selection("none|residual|energy"),
+                      "Shorten updates until the residual, or its work along "
+                      "the update, falls.");
+  }
+
+
+
+  void
+  NewtonParameters::read(ParameterHandler &prm)
+  {
+    force_tolerance        = prm.get_double("Force tolerance");
+    displacement_tolerance = prm.get_double("Displacement tolerance");
+    max_iterations         = prm.get_integer("Maximum iterations");
+    line_search            = prm.get("Line search");
+  }
+
+
+
+  template <int dim>
+  NewtonResult
+  solve_step(Model<dim>                   &model,
+             const NewtonParameters       &parameters,
+             const LinearSolverParameters &linear,
+             const double                  time,
+             Vector_t                     &u,
+             const std::function<void(const NewtonIterate &)> &watch)
+  {
+    NewtonResult   result;
+    const Vector_t u_start = u;
+    Vector_t       du      = model.make_vector();
+    double         modulus = 0.;
+    for (const auto &b : model.bodies)
+      modulus = std::max(modulus, b->material->shear_modulus);
+    const double floor =
+      force_floor * modulus * std::pow(model.size, dim - 1.);
+
+    NewtonIterate iterate;
+    iterate.update = std::numeric_limits<double>::max();
+    result.failure = model.assemble(u, time, true);
+    if (!result.failure.empty())
+      return result;
+
+    while (true)
+      {
+        // Step 1: converged?
+        const ForceNorms &n = model.norms;
+        const double      scale =
+          std::max({n.internal, n.external, n.contact, floor});
+        iterate.residual = n.residual / scale;
+        const bool at_target =
+          n.to_prescribe <= motion_floor * model.size;
+        watch(iterate);
+        result.residual = iterate.residual;
+        if (!std::isfinite(n.residual))
+          {
+            result.failure = "the residual is not a number";
+            return result;
+          }
+        if (at_target && ((iterate.residual <= parameters.force_tolerance &&
+                           iterate.update <= parameters.displacement_tolerance) ||
+                          iterate.residual <= surely_converged *
+                                                parameters.force_tolerance))
+          {
+            result.converged = true;
+            return result;
+          }
+        if (result.iterations >= parameters.max_iterations)
+          {
+            result.failure = "no convergence in " +
+                             std::to_string(result.iterations) + " iterations";
+            return result;
+          }
+
+        // Step 2: the update.
+        {
+          TimerOutput::Scope scope(model.timer, "linear solver");
+          iterate.linear = solve_linear(model, linear, du);
+        }
+        ++result.iterations;
+        ++iterate.iteration;
+        result.linear_iterations += iterate.linear.iterations;
+        if (!iterate.linear.converged)
+          {
+            result.failure = "the tangent matrix is singular (a body that "
+                             "nothing holds?)";
+            return result;
+          }
+        model.constraints.distribute(du);
+        iterate.step = 1.;
+        for (const auto &interface : model.interfaces)
+          iterate.step =
+            std::min(iterate.step, interface->largest_safe_step(u, du));
+
+        // Step 3: go there; shorten while it does not help.
+        const double   work_before     = du * model.rhs;
+        const double   residual_before = n.residual;
+        const Vector_t u_before        = u;
+        const bool     search = parameters.line_search != "none" && at_target;
+        for (unsigned int trial = 0;; ++trial)
+          {
+            u = u_before;
+            u.add(iterate.step, du);
+            result.failure    = model.assemble(u, time, true);
+            const bool better = model.norms.residual < residual_before;
+            const bool less_work =
+              std::abs(du * model.rhs) <= enough * std::abs(work_before);
+            const bool good =
+              parameters.line_search == "energy" ? (better || less_work) : better;
+            if (result.failure.empty() && (!search || good))
+              break;
+            if (trial == max_trials)
+              {
+                if (result.failure.empty())
+                  break; // go on from here: contact may need to get worse first
+                return result;
+              }
+            iterate.step *= 0.5;
+          }
+
+        Vector_t motion = u;
+        motion -= u_start;
+        iterate.update =
+          iterate.step * du.linfty_norm() /
+          std::max(motion.linfty_norm(), motion_floor * model.size);
+      }
+  }
+
+
+
+  template NewtonResult
+  solve_step(Model<2> &,
+             const NewtonParameters &,
+             const LinearSolverParameters &,
+             const double,
+             Vector_t &,
+             const std::function<void(const NewtonIterate &)> &);
+  template NewtonResult
+  solve_step(Model<3> &,
+             const NewtonParameters &,
+             const LinearSolverParameters &,
+             const double,
+             Vector_t &,
+             const std::function<void(const NewtonIterate &)> &);
+} // namespace Structure

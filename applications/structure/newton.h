@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef mortar_contact_structure_newton_h
+#define mortar_contact_structure_newton_h
+
+#include "linear_solver.h"
+
+#include <functional>
+#include <string>
+
+namespace Structure
+{
+  /// Settings of Newton's method.
+  struct NewtonParameters
+  {
+    static void
+    declare(ParameterHandler &prm);
+
+    void
+    read(ParameterHandler &prm);
+
+    double       force_tolerance        = 1e-8;
+    double       displacement_tolerance = 1e-6;
+    unsigned int max_iterations         = 25;
+    std::string  line_search            = "energy";
+  };
+
+  /// One Newton iterate, for those who watch.
+  struct NewtonIterate
+  {
+    unsigned int iteration = 0;
+    double       residual  = 0.; ///< Over the force scale.
+    double       update    = 0.; ///< Largest motion over that of the step.
+    double       step      = 1.; ///< Share of the Newton update taken.
+    LinearSolve  linear;
+  };
+
+  struct NewtonResult
+  {
+    bool         converged         = false;
+    unsigned int iterations        = 0; ///< Linear solves.
+    unsigned int linear_iterations = 0;
+    double       residual          = 0.; ///< Over the force scale.
+    std::string  failure;
+  };
+
+  /**
+   * Newton's method for one step, from @p u (at entry: the last accepted state)
+   * to @p time. Converged when the residual is below the force tolerance times
+   * the largest of the norms of internal, external and contact forces, and the
+   * last update is below the displacement tolerance times the motion of the
+   * step. Scenes without forces have a floor that scales with the materials and
+   * the size: it makes sense in any units.
+   */
+  template <int dim>
+  NewtonResult
+  solve_step(Model<dim>                                     &model,
+             const NewtonParameters                         &parameters,
+             const LinearSolverParameters                   &linear,
+             const double                                    time,
+             Vector_t                                       &u,
+             const std::function<void(const NewtonIterate &)> &watch);
+} // namespace Structure
+
+#endif

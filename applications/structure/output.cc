@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "output.h"
+
+#include <deal.II/base/utilities.h>
+
+#include <deal.II/numerics/data_out.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <sstream>
+
+namespace Structure
+{
+  Log::Log(const MPI_Comm communicator, const bool quiet)
+    : is_root(Utilities::MPI::this_mpi_process(communicator) == 0)
+    , quiet(quiet)
+  {}
+
+
+
+  void
+  Log::open(const std::string &name, const bool append)
+  {
+    if (is_root)
+      file.open(name, append ? std::ios::app : std::ios::trunc);
+  }
+
+
+
+  void
+  Log::line(const std::string &text)
+  {
+    if (!is_root)
+      return;
+    if (!quiet)
+      std::cout << text << std::endl;
+    if (file)
+      file << text << std::endl;
+  }
+
+
+
+  template <int dim>
+  Output<dim>::Output(const std::string &directory, const MPI_Comm communicator)
+    : directory(directory)
+    , communicator(communicator)
+  {}
+
+
+
+  template <int dim>
+  void
+  Output<dim>::start(const std::string &parameters)
+  {
+    namespace fs = std::filesystem;
+    std::string failure;
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      {
+        std::error_code error;
+        fs::create_directories(directory, error);
+        if (!fs::is_directory(directory))
+          failure = "this folder cannot be made";
+        else
+          {
+            for (const auto &entry : fs::directory_iterator(directory))
+              {
+                const std::string name = entry.path().filename();
+                const bool        ours =
+                  name == "history.csv" || name == "summary.json" ||
+                  name == "solution.pvd" || name == "contact.pvd" ||
+                  ((name.rfind("solution-", 0) == 0 ||
+                    name.rfind("contact-", 0) == 0) &&
+                   entry.path().extension() == ".vtu");
+                if (ours)
+                  fs::remove(entry.path());
+              }
+            fs::remove_all(directory + "/checkpoint");
+          }
+      }
+    failure = Utilities::MPI::broadcast(communicator, failure);
+    AssertThrow(failure.empty(),
+                ExcMessage("'Output/Directory' is '" + directory + "'; " +
+                           failure + "."));
+    text_file("parameters.prm", parameters);
+  }
+
+
+
+  template <int dim>
+  void
+  Output<dim>::resume(const double time)
+  {
+    if (Utilities::MPI::this_mpi_process(communicator) != 0)
+      return;
+    const double last = time * (1. + 1e-12);
+    solution_files    = read_collection("solution.pvd", last);
+    contact_files     = read_collection("contact.pvd", last);
+
+    std::ifstream in(directory + "/history.csv");
+    std::string   row, kept;
+    // columns: step, time, ...
+    while (std::getline(in, row))
+      {
+        const std::size_t comma = row.find(',');
+        if (comma == std::string::npos)
+          continue;
+        const std::string second = row.substr(comma + 1, row.find(',', comma + 1));
+        if (kept.empty() || std::atof(second.c_str()) <= last)
+          kept += row + "\n";
+      }
+    in.close();
+    has_history = !kept.empty();
+    text_file("history.csv", kept);
+  }
+
+
+
+  template <int dim>
+  void
+  Output<dim>::write_collection(const std::string          &name,
+                                const std::vector<DataSet> &sets) const
+  {
+    std::ostringstream out;
+    out.precision(16);
+    out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" "
+           "version=\"0.1\">\n<Collection>\n";
+    for (const DataSet &set : sets)
+      out << "<DataSet timestep=\"" << set.time << "\" group=\"\" part=\""
+          << set.part << "\" file=\"" << set.file << "\"/>\n";
+    out << "</Collection>\n</VTKFile>\n";
+    text_file(name, out.str());
+  }
+
+
+
+  template <int dim>
+  std::vector<typename Output<dim>::DataSet>
+  Output<dim>::read_collection(const std::string &name,
+                               const double       last_time) const
+  {
+    std::vector<DataSet> sets;
+    std::ifstream        in(directory + "/" + name);
+    std::string          line;
+    while (std::getline(in, line))
+      {
+        DataSet set;
+        char    file[512];
+        if (std::sscanf(line.c_str(),
+                        "<DataSet timestep=\"%lf\" group=\"\" part=\"%u\" "
+                        "file=\"%511[^\"]",
+                        &set.time,
+                        &set.part,
+                        file) == 3 &&
+            set.time <= last_time)
+          {
+            set.file = file;
+            sets.push_back(set);
+          }
+      }
+    return sets;
+  }
+
+
+
+  template <int dim>
+  void
+  Output<dim>::text_file(const std::string &name, const std::string &content) const
+  {
+    if (Utilities::MPI::this_mpi_process(communicator) != 0)
+      return;
+    const std::string file = directory + "/" + name;
+    {
+      std::ofstream out(file + ".new");
+      out << content;
+      out.close();
+      AssertThrow(out,
+                  ExcMessage("The file '" + file + "' cannot be written."));
+    }
+    std::filesystem::rename(file + ".new", file);
+  }
+
+
+
+  template <int dim>
+  void
+  Output<dim>::history(const std::vector<std::pair<std::string, double>> &row)
+  {
+    if (Utilities::MPI::this_mpi_process(communicator) != 0)
+      return;
+    std::ofstream out(directory + "/history.csv",
+                      has_history ? std::ios::app : std::ios::trunc);
+    if (!has_history)
+      for (std::size_t i = 0; i < row.size(); ++i)
+        out << row[i].first << (i + 1 < row.size() ? "," : "\n");
+    out.precision(16);
+    for (std::size_t i = 0; i < row.size(); ++i)
+      out << row[i].second << (i + 1 < row.size() ? "," : "\n");
+    out.close();
+    AssertThrow(out,
+                ExcMessage("The file '" + directory +
+                           "/history.csv' cannot be written."));
+    has_history = true;
+  }
+
+
+
+  template <int dim>
+  void
+  Output<dim>::write_body(const Model<dim>  &model,
+                          const Body<dim>   &body,
+                          const Vector_t    &u,
+                          const std::string &name) const
+  {
+    // displacements on the body's own numbering, and means over cells
+    const Vector_t ghosted = model.ghosted(u);
+    Vector<double> displacement(body.dof_handler.n_dofs());
+    const unsigned int n_cells = body.triangulation.n_active_cells();
+    Vector<double>     pressure(n_cells), mises(n_cells), volume_ratio(n_cells);
+    std::vector<Vector<double>> stress(dim == 2 ? 4 : 6, Vector<double>(n_cells));
+
+    Element<dim>                         element(body);
+    std::vector<types::global_dof_index> dofs, local(body.fe->n_dofs_per_cell());
+    Vector<double>                       values, forces(local.size());
+    FullMatrix<double>                   none;
+    for (const auto &cell : body.dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          model.cell_values(body, cell, ghosted, values, dofs);
+          cell->get_dof_indices(local);
+          for (unsigned int a = 0; a < local.size(); ++a)
+            displacement(local[a]) = values(a);
+          element.evaluate(cell, values, false, forces, none);
+          const unsigned int           c = cell->active_cell_index();
+          const SymmetricTensor<2, 3> &s = element.state().stress;
+          pressure(c)                    = -trace(s) / 3.;
+          mises(c)        = std::sqrt(1.5) * deviator(s).norm();
+          volume_ratio(c) = element.state().volume_ratio;
+          const unsigned int components[6][2] = {
+            {0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}};
+          for (unsigned int i = 0; i < stress.size(); ++i)
+            stress[i](c) = s[components[i][0]][components[i][1]];
+        }
+
+    DataOut<dim> data_out;
+    data_out.attach_dof_handler(body.dof_handler);
+    data_out.add_data_vector(
+      displacement,
+      std::vector<std::string>(dim, "displacement"),
+      DataOut<dim>::type_dof_data,
+      std::vector<DataComponentInterpretation::DataComponentInterpretation>(
+        dim, DataComponentInterpretation::component_is_part_of_vector));
+    data_out.add_data_vector(pressure, "pressure", DataOut<dim>::type_cell_data);
+    data_out.add_data_vector(mises, "von_Mises", DataOut<dim>::type_cell_data);
+    data_out.add_data_vector(volume_ratio,
+                             "volume_ratio",
+                             DataOut<dim>::type_cell_data);
+    const char *const names[6] = {"xx", "yy", "zz", "xy", "yz", "xz"};
+    for (unsigned int i = 0; i < stress.size(); ++i)
+      data_out.add_data_vector(stress[i],
+                               std::string("stress_") + names[i],
+                               DataOut<dim>::type_cell_data);
+    data_out.build_patches(*body.mapping, body.fe->degree);
+    data_out.write_vtu_in_parallel(directory + "/" + name, communicator);
+  }
+
+
+
+  template <int dim>
+  void
+  Output<dim>::fields(const Model<dim>  &model,
+                      const Vector_t    &u,
+                      const double       time,
+                      const unsigned int step)
+  {
+    const auto file_name = [&](const std::string &kind, std::string of) {
+      for (char &c : of)
+        if (!std::isalnum(static_cast<unsigned char>(c)))
+          c = '_';
+      return kind + "-" + of + "-" + Utilities::int_to_string(step, 4) + ".vtu";
+    };
+    unsigned int part = 0;
+    for (const auto &body : model.bodies)
+      {
+        const std::string name = file_name("solution", body->name);
+        write_body(model, *body, u, name);
+        solution_files.push_back({time, part++, name});
+      }
+    part = 0;
+    for (const auto &interface : model.interfaces)
+      {
+        const std::string name = file_name("contact", interface->name);
+        MortarContact::write_contact_vtu(*interface,
+                                         directory + "/" + name,
+                                         communicator);
+        contact_files.push_back({time, part++, name});
+      }
+    write_collection("solution.pvd", solution_files);
+    write_collection("contact.pvd", contact_files);
+  }
+
+
+
+  template class Output<2>;
+  template class Output<3>;
+} // namespace Structure

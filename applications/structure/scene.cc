@@ -1,0 +1,602 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "scene.h"
+
+#include <deal.II/base/patterns.h>
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <sstream>
+
+namespace Structure
+{
+  namespace
+  {
+    std::vector<double>
+    numbers_of(const std::string &list)
+    {
+      return Utilities::string_to_double(Utilities::split_string_list(list));
+    }
+
+    std::string
+    join(const std::vector<std::string> &names)
+    {
+      std::string result;
+      for (const auto &name : names)
+        result += (result.empty() ? "'" : ", '") + name + "'";
+      return result.empty() ? "none" : result;
+    }
+
+    /// Run @p read in a subsection; its errors name the subsection.
+    template <class Function>
+    void
+    in_section(ParameterHandler               &prm,
+               const std::vector<std::string> &path,
+               const Function                 &read)
+    {
+      for (const auto &section : path)
+        prm.enter_subsection(section);
+      try
+        {
+          read();
+        }
+      catch (const ExceptionBase &e)
+        {
+          std::ostringstream info;
+          e.print_info(info);
+          std::string where;
+          for (const auto &section : path)
+            where += section + "/";
+          AssertThrow(false,
+                      ExcMessage("In section '" +
+                                 where.substr(0, where.size() - 1) +
+                                 "': " + Utilities::trim(info.str())));
+        }
+      for (std::size_t i = 0; i < path.size(); ++i)
+        prm.leave_subsection();
+    }
+
+    /// Names in a list entry, which must differ.
+    std::vector<std::string>
+    names_of(ParameterHandler &prm, const std::string &entry)
+    {
+      std::vector<std::string> names =
+        Utilities::split_string_list(prm.get(entry));
+      for (std::size_t i = 0; i < names.size(); ++i)
+        AssertThrow(std::count(names.begin(), names.end(), names[i]) == 1,
+                    ExcMessage("'" + entry + "' has '" + names[i] +
+                               "' twice; expected different names."));
+      return names;
+    }
+
+    /// The lists of names that decide which subsections there are.
+    struct Names
+    {
+      std::vector<std::string> bodies, conditions, interfaces, probes;
+    };
+
+    void
+    declare_names(ParameterHandler &prm)
+    {
+      prm.declare_entry("Driver",
+                        "contact_scene",
+                        Patterns::Anything(),
+                        "The program that this file belongs to.");
+      prm.declare_entry("Dimension",
+                        "3",
+                        Patterns::Integer(2, 3),
+                        "2: plane strain; 3.");
+      const auto list =
+        [&](const char *section, const char *entry, const char *help) {
+          prm.enter_subsection(section);
+          prm.declare_entry(entry, "", Patterns::Anything(), help);
+          prm.leave_subsection();
+        };
+      list("Bodies",
+           "Names",
+           "Names of the bodies, separated by commas; one subsection each.");
+      list("Boundary conditions",
+           "Names",
+           "Names of the conditions; one subsection each.");
+      list("Contact",
+           "Interfaces",
+           "Names of the contact interfaces; one subsection each.");
+      list("Probes",
+           "Names",
+           "Names of points whose displacement is recorded; one subsection "
+           "each.");
+    }
+
+    Names
+    read_names(ParameterHandler &prm)
+    {
+      Names names;
+      in_section(prm, {"Bodies"}, [&]() {
+        names.bodies = names_of(prm, "Names");
+      });
+      in_section(prm, {"Boundary conditions"}, [&]() {
+        names.conditions = names_of(prm, "Names");
+      });
+      in_section(prm, {"Contact"}, [&]() {
+        names.interfaces = names_of(prm, "Interfaces");
+      });
+      in_section(prm, {"Probes"}, [&]() {
+        names.probes = names_of(prm, "Names");
+      });
+      return names;
+    }
+
+    void
+    declare_body(ParameterHandler &prm)
+    {
+      prm.enter_subsection("Mesh");
+      MeshParameters::declare(prm);
+      prm.leave_subsection();
+      prm.enter_subsection("Material");
+      MaterialParameters::declare(prm);
+      prm.leave_subsection();
+      prm.declare_entry("Degree",
+                        "1",
+                        Patterns::Integer(1, 2),
+                        "Of the displacements [-].");
+      prm.declare_entry("Mean dilatation",
+                        "automatic",
+                        Patterns::Selection("automatic|yes|no"),
+                        "One pressure per cell (Q1P0): no locking of nearly "
+                        "incompressible solids. automatic: for Mooney-Rivlin on "
+                        "hexahedra (quadrilaterals) of degree 1.");
+      prm.declare_entry("Body force",
+                        "",
+                        Patterns::Anything(),
+                        "Force per undeformed volume: formulas in x, y, z, t, "
+                        "one per component, separated by semicolons.");
+    }
+
+    void
+    read_body(ParameterHandler &prm, BodyParameters &body)
+    {
+      in_section(prm, {"Mesh"}, [&]() { body.mesh.read(prm); });
+      in_section(prm, {"Material"}, [&]() { body.material.read(prm); });
+      body.degree          = prm.get_integer("Degree");
+      body.mean_dilatation = prm.get("Mean dilatation");
+      body.body_force      = prm.get("Body force");
+      AssertThrow(body.mean_dilatation != "yes" ||
+                    body.material.law == "Mooney-Rivlin",
+                  ExcMessage("'Mean dilatation' is 'yes' but 'Material/Law' is "
+                             "'" +
+                             body.material.law +
+                             "'; only Mooney-Rivlin has a volumetric part of "
+                             "its own."));
+    }
+
+    void
+    declare_condition(ParameterHandler &prm)
+    {
+      prm.declare_entry("Body", "", Patterns::Anything(), "Name of the body.");
+      prm.declare_entry("Boundary ids",
+                        "0",
+                        Patterns::List(Patterns::Integer(0), 1),
+                        "Ids of the faces [-].");
+      prm.declare_entry(
+        "Type",
+        "displacement",
+        Patterns::Selection("displacement|symmetry|traction|pressure"),
+        "displacement: x, y, z as formulas or free. symmetry: none along the "
+        "normal. traction: force per undeformed area. pressure: pushes along "
+        "the deformed normal.");
+      for (const char *component : {"x", "y", "z"})
+        prm.declare_entry(component,
+                          "free",
+                          Patterns::Anything(),
+                          "Component as a formula in x, y, z, t and pi, or free "
+                          "[length or pressure].");
+      prm.declare_entry("Pressure",
+                        "free",
+                        Patterns::Anything(),
+                        "For Type = pressure: formula [pressure].");
+    }
+
+    void
+    read_condition(ParameterHandler &prm, BoundaryCondition &c)
+    {
+      using Type = BoundaryCondition::Type;
+      c.body     = prm.get("Body");
+      for (const double id : numbers_of(prm.get("Boundary ids")))
+        c.boundaries.insert(static_cast<types::boundary_id>(id));
+      const std::string type = prm.get("Type");
+      c.type = (type == "displacement") ? Type::displacement :
+               (type == "symmetry")     ? Type::symmetry :
+               (type == "traction")     ? Type::traction :
+                                          Type::pressure;
+      c.values = {{prm.get("x"), prm.get("y"), prm.get("z")}};
+      const bool any = c.values[0] != "free" || c.values[1] != "free" ||
+                       c.values[2] != "free";
+      const std::string pressure = prm.get("Pressure");
+      if (c.type == Type::pressure)
+        {
+          AssertThrow(pressure != "free",
+                      ExcMessage("'Type' is 'pressure' but 'Pressure' is "
+                                 "'free'; expected a formula."));
+          c.values = {{pressure, "free", "free"}};
+        }
+      else
+        AssertThrow(pressure == "free",
+                    ExcMessage("'Pressure' is set but 'Type' is '" + type +
+                               "'; expected Type = pressure."));
+      AssertThrow(any ? (c.type != Type::symmetry && c.type != Type::pressure) :
+                        (c.type == Type::symmetry || c.type == Type::pressure),
+                  ExcMessage("'Type' is '" + type + "' but 'x', 'y', 'z' are " +
+                             (any ? "set; it has no components." :
+                                    "all 'free'; expected a formula for at "
+                                    "least one.")));
+    }
+
+    void
+    declare_interface(ParameterHandler &prm)
+    {
+      for (const char *side : {"Secondary", "Primary"})
+        prm.declare_entry(side,
+                          "",
+                          Patterns::Anything(),
+                          std::string(side) +
+                            " surface: body, 'body: boundary 1, 2' or 'body: "
+                            "material 3'; several separated by semicolons. The "
+                            "secondary (SURFA, slave) carries the integration "
+                            "points.");
+      MortarContact::ContactParameters::declare(prm);
+    }
+
+    void
+    read_interface(ParameterHandler &prm, InterfaceParameters &i)
+    {
+      i.secondary = parse_parts(prm.get("Secondary"), "Secondary");
+      i.primary   = parse_parts(prm.get("Primary"), "Primary");
+      i.contact.read(prm);
+    }
+
+    void
+    declare_everything(ParameterHandler &prm, const Names &names)
+    {
+      declare_names(prm);
+      const auto each = [&](const char                     *section,
+                            const std::vector<std::string> &list,
+                            const auto                     &declare) {
+        prm.enter_subsection(section);
+        for (const auto &name : list)
+          {
+            prm.enter_subsection(name);
+            declare(prm);
+            prm.leave_subsection();
+          }
+        prm.leave_subsection();
+      };
+      each("Bodies", names.bodies, declare_body);
+      each("Boundary conditions", names.conditions, declare_condition);
+      each("Contact", names.interfaces, declare_interface);
+      each("Probes", names.probes, [](ParameterHandler &p) {
+        p.declare_entry("Body", "", Patterns::Anything(), "Name of the body.");
+        p.declare_entry("Point",
+                        "0, 0, 0",
+                        Patterns::List(Patterns::Double(), 2, 3),
+                        "Undeformed place; the nearest node counts [length].");
+      });
+      declare_run(prm);
+    }
+  } // namespace
+
+
+
+  std::vector<PartSelection>
+  parse_parts(const std::string &text, const std::string &entry)
+  {
+    std::vector<PartSelection> parts;
+    for (const std::string &part : Utilities::split_string_list(text, ';'))
+      {
+        PartSelection     selection;
+        const std::size_t colon = part.find(':');
+        selection.body          = Utilities::trim(part.substr(0, colon));
+        if (colon != std::string::npos)
+          {
+            const std::string rest = Utilities::trim(part.substr(colon + 1));
+            const std::size_t space = rest.find(' ');
+            const std::string what  = rest.substr(0, space);
+            bool ok = (what == "boundary" || what == "material") &&
+                      space != std::string::npos;
+            if (ok)
+              for (const std::string &id :
+                   Utilities::split_string_list(rest.substr(space + 1)))
+                {
+                  ok = ok && Patterns::Integer(0).match(id);
+                  if (ok && what == "boundary")
+                    selection.faces.boundaries.insert(std::stoul(id));
+                  else if (ok)
+                    selection.faces.materials.insert(std::stoul(id));
+                }
+            AssertThrow(ok,
+                        ExcMessage("'" + entry + "' is '" + text +
+                                   "'; expected 'body', 'body: boundary 1, 2' "
+                                   "or 'body: material 3', several separated by "
+                                   "semicolons."));
+          }
+        parts.push_back(selection);
+      }
+    AssertThrow(!parts.empty(),
+                ExcMessage("'" + entry +
+                           "' is empty; expected the name of a body."));
+    return parts;
+  }
+
+
+
+  void
+  declare_run(ParameterHandler &prm)
+  {
+    prm.enter_subsection("Steps");
+    prm.declare_entry("End time", "1.0", Patterns::Double(1e-300), "[time]");
+    prm.declare_entry("First step", "0.1", Patterns::Double(1e-300), "[time]");
+    prm.declare_entry("Smallest step",
+                      "0.0",
+                      Patterns::Double(0.),
+                      "Cut back no further [time]; 0: first step / 1000.");
+    prm.declare_entry("Largest step",
+                      "0.0",
+                      Patterns::Double(0.),
+                      "[time]; 0: the first step, no growth beyond it.");
+    prm.declare_entry("Growth",
+                      "1.5",
+                      Patterns::Double(1.),
+                      "Factor on the step after an easy one [-].");
+    prm.declare_entry("Cut back",
+                      "0.5",
+                      Patterns::Double(0.01, 0.99),
+                      "Factor on a step that failed [-].");
+    prm.declare_entry("Target iterations",
+                      "6",
+                      Patterns::Integer(1),
+                      "A step with at most so many Newton iterations was easy "
+                      "[-].");
+    prm.declare_entry("Maximum steps",
+                      "100000",
+                      Patterns::Integer(1),
+                      "Accepted steps [-].");
+    prm.declare_entry("Times to meet",
+                      "",
+                      Patterns::List(Patterns::Double(0.)),
+                      "Times at which a step ends [time].");
+    prm.leave_subsection();
+    prm.enter_subsection("Solver");
+    prm.enter_subsection("Newton");
+    NewtonParameters::declare(prm);
+    prm.leave_subsection();
+    prm.enter_subsection("Linear");
+    LinearSolverParameters::declare(prm);
+    prm.leave_subsection();
+    prm.leave_subsection();
+    prm.enter_subsection("Output");
+    prm.declare_entry("Directory", "output", Patterns::Anything(), "");
+    prm.declare_entry("Every",
+                      "1",
+                      Patterns::Integer(0),
+                      "Steps between VTU files [-]; 0: the last step only.");
+    prm.declare_entry("Checkpoint every",
+                      "5",
+                      Patterns::Integer(0),
+                      "Steps between checkpoints [-]; 0: at the end only.");
+    prm.leave_subsection();
+  }
+
+
+
+  void
+  read_run(ParameterHandler &prm, Scene &scene)
+  {
+    in_section(prm, {"Steps"}, [&]() {
+      StepParameters &s   = scene.steps;
+      s.end_time          = prm.get_double("End time");
+      s.first             = prm.get_double("First step");
+      s.smallest          = prm.get_double("Smallest step");
+      s.largest           = prm.get_double("Largest step");
+      s.growth            = prm.get_double("Growth");
+      s.cut               = prm.get_double("Cut back");
+      s.target_iterations = prm.get_integer("Target iterations");
+      s.max_steps         = prm.get_integer("Maximum steps");
+      s.times_to_meet     = numbers_of(prm.get("Times to meet"));
+      if (s.smallest == 0.)
+        s.smallest = s.first / 1000.;
+      if (s.largest == 0.)
+        s.largest = s.first;
+      AssertThrow(s.smallest <= s.first && s.first <= s.largest,
+                  ExcMessage("'First step' is " + std::to_string(s.first) +
+                             "; expected a value between 'Smallest step' (" +
+                             std::to_string(s.smallest) +
+                             ") and 'Largest step' (" +
+                             std::to_string(s.largest) + ")."));
+    });
+    in_section(prm, {"Solver", "Newton"}, [&]() { scene.newton.read(prm); });
+    in_section(prm, {"Solver", "Linear"}, [&]() { scene.linear.read(prm); });
+    in_section(prm, {"Output"}, [&]() {
+      scene.output.directory        = prm.get("Directory");
+      scene.output.every            = prm.get_integer("Every");
+      scene.output.checkpoint_every = prm.get_integer("Checkpoint every");
+    });
+  }
+
+
+
+  void
+  parse(ParameterHandler  &prm,
+        const SceneSource &source,
+        const bool         skip_undefined)
+  {
+    std::ifstream in(source.file);
+    AssertThrow(in,
+                ExcMessage("The parameter file '" + source.file +
+                           "' cannot be opened."));
+    prm.parse_input(in, source.file, "", skip_undefined);
+    for (const std::string &setting : source.settings)
+      {
+        const std::size_t equals = setting.find('=');
+        AssertThrow(equals != std::string::npos,
+                    ExcMessage("--set '" + setting +
+                               "': expected \"Section/Entry=value\"."));
+        std::vector<std::string> path =
+          Utilities::split_string_list(setting.substr(0, equals), '/');
+        std::string text, ends;
+        for (std::size_t i = 0; i + 1 < path.size(); ++i)
+          {
+            text += "subsection " + path[i] + "\n";
+            ends += "end\n";
+          }
+        text += "set " + path.back() + " = " + setting.substr(equals + 1) + "\n";
+        std::istringstream line(text + ends);
+        prm.parse_input(line, "--set \"" + setting + "\"", "", skip_undefined);
+      }
+    if (skip_undefined)
+      AssertThrow(prm.get("Driver") == source.driver,
+                  ExcMessage("'Driver' in '" + source.file + "' is '" +
+                             prm.get("Driver") + "'; this is '" +
+                             source.driver + "'."));
+  }
+
+
+
+  Scene
+  read_scene(const SceneSource &source, std::string &used)
+  {
+    Names names;
+    {
+      ParameterHandler prm;
+      declare_names(prm);
+      parse(prm, source, true);
+      names = read_names(prm);
+    }
+
+    ParameterHandler prm;
+    declare_everything(prm, names);
+    parse(prm, source, false);
+
+    Scene scene;
+    scene.dimension = prm.get_integer("Dimension");
+    for (const auto &name : names.bodies)
+      {
+        scene.bodies.emplace_back();
+        scene.bodies.back().name = name;
+        in_section(prm, {"Bodies", name}, [&]() {
+          read_body(prm, scene.bodies.back());
+        });
+      }
+    for (const auto &name : names.conditions)
+      {
+        scene.conditions.emplace_back();
+        scene.conditions.back().name = name;
+        in_section(prm, {"Boundary conditions", name}, [&]() {
+          read_condition(prm, scene.conditions.back());
+        });
+      }
+    for (const auto &name : names.interfaces)
+      {
+        scene.interfaces.emplace_back();
+        scene.interfaces.back().name = name;
+        in_section(prm, {"Contact", name}, [&]() {
+          read_interface(prm, scene.interfaces.back());
+        });
+      }
+    for (const auto &name : names.probes)
+      in_section(prm, {"Probes", name}, [&]() {
+        scene.output.probes.push_back(
+          {name, prm.get("Body"), numbers_of(prm.get("Point"))});
+      });
+    read_run(prm, scene);
+
+    // mesh files are named from where the parameter file is
+    const std::size_t slash = source.file.find_last_of('/');
+    if (slash != std::string::npos)
+      for (BodyParameters &body : scene.bodies)
+        if (!body.mesh.file.empty() && body.mesh.file[0] != '/')
+          body.mesh.file = source.file.substr(0, slash + 1) + body.mesh.file;
+
+    check_scene(scene);
+    std::ostringstream out;
+    prm.print_parameters(out, ParameterHandler::ShortText);
+    used = out.str();
+    return scene;
+  }
+
+
+
+  void
+  check_scene(Scene &scene)
+  {
+    std::vector<std::string> names;
+    for (const auto &b : scene.bodies)
+      names.push_back(b.name);
+    AssertThrow(!names.empty(),
+                ExcMessage("'Bodies/Names' is empty; expected at least one "
+                           "name."));
+    const auto check = [&](const std::string &name, const std::string &entry) {
+      AssertThrow(std::find(names.begin(), names.end(), name) != names.end(),
+                  ExcMessage("'" + entry + "' names the body '" + name +
+                             "'; there are " + join(names) + "."));
+    };
+    for (const auto &c : scene.conditions)
+      {
+        check(c.body, "Boundary conditions/" + c.name + "/Body");
+        AssertThrow(scene.dimension == 3 || c.values[2] == "free",
+                    ExcMessage("'Boundary conditions/" + c.name +
+                               "/z' is set but 'Dimension' is 2."));
+      }
+    for (const auto &i : scene.interfaces)
+      for (const auto &[parts, side] :
+           {std::make_pair(&i.secondary, "Secondary"),
+            std::make_pair(&i.primary, "Primary")})
+        for (const auto &part : *parts)
+          check(part.body, "Contact/" + i.name + "/" + side);
+    for (const auto &p : scene.output.probes)
+      {
+        check(p.body, "Probes/" + p.name + "/Body");
+        AssertThrow(p.point.size() == scene.dimension,
+                    ExcMessage("'Probes/" + p.name + "/Point' has " +
+                               std::to_string(p.point.size()) +
+                               " numbers; expected " +
+                               std::to_string(scene.dimension) + "."));
+      }
+    for (const auto &a : scene.conditions)
+      for (const auto &b : scene.conditions)
+        {
+          using Type = BoundaryCondition::Type;
+          if (&a >= &b || a.body != b.body || a.type != Type::displacement ||
+              b.type != Type::displacement)
+            continue;
+          for (const auto id : a.boundaries)
+            for (unsigned int k = 0; k < 3; ++k)
+              AssertThrow(b.boundaries.count(id) == 0 ||
+                            a.values[k] == "free" || b.values[k] == "free",
+                          ExcMessage("'Boundary conditions/" + a.name +
+                                     "' and '" + b.name + "' both prescribe '" +
+                                     std::string(1, "xyz"[k]) +
+                                     "' on boundary id " + std::to_string(id) +
+                                     " of '" + a.body +
+                                     "'. Remove one of them."));
+        }
+    // treatments that end at a time: a step ends there
+    for (const auto &i : scene.interfaces)
+      if (i.contact.removal_time > 0.)
+        scene.steps.times_to_meet.push_back(i.contact.removal_time);
+  }
+
+
+
+  std::string
+  default_scene(const std::string &driver)
+  {
+    ParameterHandler prm;
+    declare_everything(prm,
+                       {{"body"}, {"condition"}, {"interface"}, {"probe"}});
+    prm.set("Driver", driver);
+    std::ostringstream out;
+    prm.print_parameters(out, ParameterHandler::PRM);
+    return out.str();
+  }
+} // namespace Structure

@@ -1,0 +1,649 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "simulation.h"
+
+#include <deal.II/base/utilities.h>
+
+#include <boost/archive/binary_iarchive.hpp>
+#include <boost/archive/binary_oarchive.hpp>
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iomanip>
+#include <sstream>
+
+namespace Structure
+{
+  namespace
+  {
+    std::string
+    number(const double x, const int precision = 4)
+    {
+      std::ostringstream out;
+      out << std::setprecision(precision) << x;
+      return out.str();
+    }
+
+    std::string
+    duration(const double seconds)
+    {
+      std::ostringstream out;
+      const auto         s = static_cast<unsigned long>(std::max(0., seconds));
+      if (s >= 3600)
+        out << s / 3600 << " h " << (s / 60) % 60 << " min";
+      else if (s >= 60)
+        out << s / 60 << " min " << s % 60 << " s";
+      else
+        out << s << " s";
+      return out.str();
+    }
+
+    /// What a checkpoint must agree with to be continued.
+    struct CheckpointHead
+    {
+      std::string             magic = "MortarContact checkpoint 1";
+      std::string             parameters;
+      unsigned int            n_ranks = 0;
+      types::global_dof_index n_dofs  = 0;
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &magic &parameters &n_ranks &n_dofs;
+      }
+    };
+  } // namespace
+
+
+
+  template <int dim>
+  Simulation<dim>::Simulation(const Scene       &scene,
+                              const std::string &used_parameters,
+                              const MPI_Comm     communicator,
+                              Log               &log)
+    : scene(scene)
+    , communicator(communicator)
+    , timer(communicator,
+            std::cout,
+            TimerOutput::never,
+            TimerOutput::wall_times)
+    , model(communicator, timer)
+    , used_parameters(used_parameters)
+    , log(log)
+    , output(scene.output.directory, communicator)
+    , next_step(scene.steps.first)
+  {}
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::setup()
+  {
+    TimerOutput::Scope scope(timer, "setup");
+    for (const BodyParameters &b : scene.bodies)
+      {
+        Triangulation<dim> mesh;
+        try
+          {
+            make_mesh<dim>(b.mesh, mesh);
+            std::unique_ptr<Material> material = b.material.make();
+            const bool mean_dilatation =
+              b.mean_dilatation == "yes" ||
+              (b.mean_dilatation == "automatic" && material->is_split() &&
+               b.degree == 1 && mesh.all_reference_cells_are_hyper_cube());
+            model.bodies.push_back(
+              std::make_unique<Body<dim>>(b.name,
+                                          mesh,
+                                          std::move(material),
+                                          b.degree,
+                                          mean_dilatation,
+                                          communicator));
+          }
+        catch (const ExcMessage &e)
+          {
+            std::ostringstream info;
+            e.print_info(info);
+            AssertThrow(false,
+                        ExcMessage("In section 'Bodies/" + b.name + "': " +
+                                   Utilities::trim(info.str())));
+          }
+        model.bodies.back()->body_force = b.body_force;
+      }
+    for (const BoundaryCondition &c : scene.conditions)
+      {
+        const auto ids = model.body(c.body).triangulation.get_boundary_ids();
+        for (const auto id : c.boundaries)
+          {
+            std::string known;
+            for (const auto k : ids)
+              known += (known.empty() ? "" : ", ") + std::to_string(k);
+            AssertThrow(std::find(ids.begin(), ids.end(), id) != ids.end(),
+                        ExcMessage("'Boundary conditions/" + c.name +
+                                   "/Boundary ids' has " + std::to_string(id) +
+                                   "; the mesh of '" + c.body + "' has " +
+                                   known + "."));
+          }
+      }
+    model.conditions = scene.conditions;
+    model.number_dofs();
+
+    for (const InterfaceParameters &i : scene.interfaces)
+      {
+        auto interface =
+          std::make_unique<MortarContact::ContactInterface<dim>>(i.name,
+                                                                 i.contact,
+                                                                 communicator);
+        for (const bool secondary : {true, false})
+          for (const PartSelection &part : secondary ? i.secondary : i.primary)
+            {
+              const Body<dim> &b       = model.body(part.body);
+              const double     modulus = b.material->contact_modulus;
+              const auto       of_cell = [modulus](const auto &) {
+                return modulus;
+              };
+              if (secondary)
+                interface->add_secondary(b.dof_handler,
+                                         *b.mapping,
+                                         part.faces,
+                                         of_cell,
+                                         b.name,
+                                         b.numbering);
+              else
+                interface->add_primary(b.dof_handler,
+                                       *b.mapping,
+                                       part.faces,
+                                       of_cell,
+                                       b.name,
+                                       b.numbering);
+            }
+        interface->setup();
+        model.interfaces.push_back(std::move(interface));
+      }
+    model.setup();
+    u = model.make_vector();
+
+    // the nodes nearest to the probes
+    for (const ProbeParameters &p : scene.output.probes)
+      {
+        const Body<dim> &b = model.body(p.body);
+        Point<dim>       x;
+        for (unsigned int i = 0; i < dim; ++i)
+          x[i] = p.point[i];
+        double                                   best = 1e300;
+        std::array<types::global_dof_index, dim> dofs = {};
+        std::vector<types::global_dof_index> of_cell(b.fe->n_dofs_per_cell());
+        const FiniteElement<dim>            &scalar = b.fe->base_element(0);
+        for (const auto &cell : b.dof_handler.active_cell_iterators())
+          for (unsigned int k = 0; k < scalar.n_dofs_per_cell(); ++k)
+            {
+              const double d = x.distance(b.mapping->transform_unit_to_real_cell(
+                cell, scalar.unit_support_point(k)));
+              if (d < best)
+                {
+                  best = d;
+                  cell->get_dof_indices(of_cell);
+                  for (unsigned int i = 0; i < dim; ++i)
+                    dofs[i] =
+                      b.numbering(of_cell[b.fe->component_to_system_index(i, k)]);
+                }
+            }
+        probe_dofs.push_back(dofs);
+      }
+    report_setup();
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::report_setup()
+  {
+    for (const auto &b : model.bodies)
+      log.line("Body '" + b->name + "': " +
+               std::to_string(b->triangulation.n_global_active_cells()) +
+               " cells, " + std::to_string(b->dof_handler.n_dofs()) + " dofs" +
+               (b->mean_dilatation ? ", mean dilatation" : ""));
+    log.line("Model: " + std::to_string(model.n_dofs()) + " dofs on " +
+             std::to_string(Utilities::MPI::n_mpi_processes(communicator)) +
+             " rank(s), about " +
+             // 81 (27 x 3) entries per row in 3d, 18 (9 x 2) in 2d; a direct
+             // factor holds some twenty times as many
+             number(model.n_dofs() * (dim == 3 ? 81. * 12. * 20. : 18. * 12. * 10.) /
+                    1e9, 2) +
+             " GB with the direct solver");
+    for (const auto &interface : model.interfaces)
+      log.line(Utilities::trim(interface->report().initial_text()));
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim>
+  Simulation<dim>::probe(const unsigned int p) const
+  {
+    std::vector<double> value(dim, 0.);
+    for (unsigned int i = 0; i < dim; ++i)
+      if (model.owned_dofs().is_element(probe_dofs[p][i]))
+        value[i] = u(probe_dofs[p][i]);
+    Utilities::MPI::sum(value, communicator, value);
+    Tensor<1, dim> result;
+    for (unsigned int i = 0; i < dim; ++i)
+      result[i] = value[i];
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::string
+  Simulation<dim>::try_step(const double new_time)
+  {
+    Vector_t trial = u;
+    last_newton    = solve_step(
+      model,
+      scene.newton,
+      scene.linear,
+      new_time,
+      trial,
+      [&](const NewtonIterate &i) {
+        std::ostringstream out;
+        out << "    iteration " << i.iteration << "  residual "
+            << std::scientific << std::setprecision(2) << i.residual;
+        if (i.iteration > 0)
+          {
+            out << "  update " << i.update;
+            if (i.step < 1.)
+              out << "  step " << std::fixed << i.step;
+            if (i.linear.iterations > 0 || i.linear.method != "MUMPS")
+              out << "  " << i.linear.method << " " << i.linear.iterations;
+          }
+        log.line(out.str());
+      });
+    newton_iterations += last_newton.iterations;
+    linear_iterations += last_newton.linear_iterations;
+    if (!last_newton.converged)
+      return last_newton.failure;
+    for (const auto &interface : model.interfaces)
+      {
+        const MortarContact::StepAdvice advice = interface->advice();
+        if (!advice.accept)
+          return advice.reason;
+      }
+    u = trial;
+    return "";
+  }
+
+
+
+  template <int dim>
+  ExitCode
+  Simulation<dim>::run()
+  {
+    const StepParameters &s = scene.steps;
+    std::vector<double>   stops = s.times_to_meet;
+    stops.push_back(s.end_time);
+    std::sort(stops.begin(), stops.end());
+
+    if (step == 0)
+      {
+        output.start(used_parameters);
+        output.fields(model, u, time, step);
+      }
+    wall.restart();
+    const double first_time = time;
+    // times closer than this are the same
+    const double same = 1e-10 * s.end_time;
+
+    while (time < s.end_time - same && step < s.max_steps)
+      {
+        double target = time + next_step;
+        double stop   = s.end_time;
+        for (const double t : stops)
+          if (t > time + same)
+            {
+              stop = std::min(stop, t);
+              break;
+            }
+        // rather two equal steps than a full and a tiny one
+        if (target > stop - same)
+          target = stop;
+        else if (target > stop - 0.5 * next_step)
+          target = 0.5 * (time + stop);
+
+        const std::string failure = try_step(target);
+        if (!failure.empty())
+          {
+            ++cut_backs;
+            ++cut_backs_of_step;
+            for (const auto &interface : model.interfaces)
+              interface->rollback();
+            next_step = s.cut * (target - time);
+            log.line("  step to " + number(target) + " rejected: " + failure +
+                     "; cut back to " + number(next_step));
+            if (next_step < s.smallest)
+              {
+                log.line("No convergence: the step fell below 'Smallest step', " +
+                         number(s.smallest) + ". Last good state: time " +
+                         number(time) + ".");
+                // contact shows the last good state again
+                (void)model.assemble(u, time, false);
+                write_checkpoint();
+                write_summary("no convergence");
+                return no_convergence;
+              }
+            continue;
+          }
+
+        const double step_size = target - time;
+        time                   = target;
+        ++step;
+        for (const auto &interface : model.interfaces)
+          interface->commit(time);
+        if (last_newton.iterations <= s.target_iterations)
+          next_step = std::min(s.largest, std::max(next_step, step_size) * s.growth);
+
+        const double done = (time - first_time) / (s.end_time - first_time);
+        std::string  text =
+          "Step " + std::to_string(step) + "  time " + number(time) + "  " +
+          std::to_string(last_newton.iterations) + " iterations  residual " +
+          number(last_newton.residual, 2);
+        if (cut_backs_of_step > 0)
+          text += "  " + std::to_string(cut_backs_of_step) + " cut-backs";
+        text += "  remaining about " + duration(wall.wall_time() * (1. - done) / done);
+        log.line(text);
+        for (const auto &interface : model.interfaces)
+          {
+            const auto &r     = interface->report();
+            const auto  every = interface->parameters.report_every;
+            log.line("  " + r.brief());
+            if (every > 0 && step % every == 0 && r.relative_penetration > 0.8)
+              for (const auto &w : r.worst)
+                log.line("    WARNING: close to release: penetration " +
+                         number(w.penetration) + " (" +
+                         number(100. * w.relative) + " %) of cell " +
+                         std::to_string(w.secondary.cell) + " of '" +
+                         w.secondary.part + "' into cell " +
+                         std::to_string(w.primary.cell) + " of '" +
+                         w.primary.part + "'");
+          }
+
+        const bool is_last = time >= s.end_time - same || step >= s.max_steps;
+        write_step(step_size, is_last);
+        cut_backs_of_step = 0;
+        if (after_step)
+          after_step(*this);
+      }
+    write_summary("finished");
+    log.line("Finished: " + std::to_string(step) + " steps, " +
+             std::to_string(newton_iterations) + " iterations, " +
+             std::to_string(cut_backs) + " cut-backs, " +
+             duration(wall.wall_time()) + ". Results in '" + output.directory +
+             "'.");
+    return finished;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::write_step(const double step_size, const bool is_last)
+  {
+    TimerOutput::Scope scope(timer, "output");
+    std::vector<std::pair<std::string, double>> row = {
+      {"step", step},
+      {"time", time},
+      {"step_size", step_size},
+      {"iterations", last_newton.iterations},
+      {"linear_iterations", last_newton.linear_iterations},
+      {"cut_backs", cut_backs_of_step},
+      {"residual_relative", last_newton.residual}};
+    for (const auto &interface : model.interfaces)
+      {
+        const auto       &r = interface->report();
+        const std::string n = interface->name + ":";
+        for (unsigned int i = 0; i < dim; ++i)
+          row.emplace_back(n + "force_" + "xyz"[i], r.force[i]);
+        row.emplace_back(n + "largest_penetration", r.largest_penetration);
+        row.emplace_back(n + "penetration_over_release", r.relative_penetration);
+        row.emplace_back(n + "mean_penetration", r.mean_penetration);
+        row.emplace_back(n + "active_area", r.active_area);
+        row.emplace_back(n + "active_pairs", r.active_pairs);
+        row.emplace_back(n + "energy", r.energy);
+        row.emplace_back(n + "released_facets", r.n_released);
+        row.emplace_back(n + "remaining_overlap_share",
+                         MortarContact::removal_share(
+                           interface->parameters.initial_penetration,
+                           time,
+                           interface->parameters.removal_time));
+      }
+    for (unsigned int c = 0; c < model.conditions.size(); ++c)
+      if (model.conditions[c].type == BoundaryCondition::Type::displacement ||
+          model.conditions[c].type == BoundaryCondition::Type::symmetry)
+        {
+          const Tensor<1, 3> f = model.reaction(c);
+          for (unsigned int i = 0; i < dim; ++i)
+            row.emplace_back("reaction:" + model.conditions[c].name + "_" +
+                               "xyz"[i],
+                             f[i]);
+        }
+    for (unsigned int p = 0; p < scene.output.probes.size(); ++p)
+      {
+        const Tensor<1, dim> v = probe(p);
+        for (unsigned int i = 0; i < dim; ++i)
+          row.emplace_back("probe:" + scene.output.probes[p].name + "_" +
+                             "xyz"[i],
+                           v[i]);
+      }
+    output.history(row);
+
+    const unsigned int every = scene.output.every;
+    if (is_last || (every > 0 && step % every == 0))
+      output.fields(model, u, time, step);
+    const unsigned int save = scene.output.checkpoint_every;
+    if (is_last || (save > 0 && step % save == 0))
+      write_checkpoint();
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::write_checkpoint()
+  {
+    // Into a new folder first: the previous checkpoint stays valid until this
+    // one is complete on all ranks.
+    namespace fs = std::filesystem;
+    const std::string  folder  = output.directory + "/checkpoint";
+    const std::string  fresh   = folder + ".new";
+    const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator);
+    if (rank == 0)
+      {
+        fs::remove_all(fresh);
+        fs::create_directories(fresh);
+      }
+    MPI_Barrier(communicator);
+
+    CheckpointHead head;
+    head.parameters = used_parameters;
+    head.n_ranks    = Utilities::MPI::n_mpi_processes(communicator);
+    head.n_dofs     = model.n_dofs();
+    std::vector<double> values;
+    for (const auto i : model.owned_dofs())
+      values.push_back(u(i));
+    bool ok = false;
+    {
+      std::ofstream out(fresh + "/rank-" + std::to_string(rank),
+                        std::ios::binary);
+      {
+        boost::archive::binary_oarchive archive(out);
+        archive &head &time &step &next_step &cut_backs &newton_iterations
+          &linear_iterations &values;
+      }
+      for (const auto &interface : model.interfaces)
+        interface->save(out);
+      out.close();
+      ok = !out.fail();
+    }
+    AssertThrow(Utilities::MPI::min(ok ? 1 : 0, communicator) == 1,
+                ExcMessage("The checkpoint in '" + fresh +
+                           "' cannot be written (disk full?). The previous one "
+                           "is still valid."));
+    if (rank == 0)
+      {
+        fs::remove_all(folder);
+        fs::rename(fresh, folder);
+      }
+    MPI_Barrier(communicator);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::restart(const std::string &directory)
+  {
+    const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
+    const std::string  file =
+      directory + "/checkpoint/rank-" + std::to_string(rank);
+    std::string failure;
+    {
+      std::ifstream       in(file, std::ios::binary);
+      CheckpointHead      head;
+      const CheckpointHead expected;
+      std::vector<double> values;
+      if (!in)
+        failure = "there is no such file";
+      else
+        try
+          {
+            boost::archive::binary_iarchive archive(in);
+            archive                        &head;
+            const unsigned int n_ranks =
+              Utilities::MPI::n_mpi_processes(communicator);
+            if (head.magic != expected.magic)
+              failure = "it was written by another version";
+            else if (head.n_ranks != n_ranks)
+              failure = "it was written on " + std::to_string(head.n_ranks) +
+                        " ranks, this run has " + std::to_string(n_ranks);
+            else if (head.n_dofs != model.n_dofs())
+              failure = "it belongs to a scene with " +
+                        std::to_string(head.n_dofs) + " dofs, this one has " +
+                        std::to_string(model.n_dofs());
+            else
+              {
+                archive &time &step &next_step &cut_backs &newton_iterations
+                  &linear_iterations &values;
+                if (values.size() != model.owned_dofs().n_elements())
+                  failure = "it is damaged";
+              }
+            if (failure.empty())
+              {
+                std::size_t i = 0;
+                for (const auto dof : model.owned_dofs())
+                  u(dof) = values[i++];
+                for (const auto &interface : model.interfaces)
+                  interface->load(in);
+              }
+          }
+        catch (const std::exception &)
+          {
+            failure = "it is damaged or truncated";
+          }
+    }
+    for (const auto &f : Utilities::MPI::all_gather(communicator, failure))
+      if (!f.empty())
+        failure = f;
+    AssertThrow(failure.empty(),
+                ExcMessage("The checkpoint '" + file +
+                           "' cannot be continued: " + failure + "."));
+    u.compress(VectorOperation::insert);
+    if (directory == output.directory)
+      output.resume(time);
+    else
+      output.start(used_parameters);
+    (void)model.assemble(u, time, false);
+    log.line("Restarted from '" + directory + "': step " +
+             std::to_string(step) + ", time " + number(time));
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::write_summary(const std::string &status)
+  {
+    // wall times of all ranks, slowest, by name
+    const auto times = timer.get_summary_data(TimerOutput::total_wall_time);
+    Utilities::System::MemoryStats memory;
+    Utilities::System::get_memory_stats(memory);
+    const double peak =
+      Utilities::MPI::sum(static_cast<double>(memory.VmHWM), communicator);
+
+    nlohmann::json json;
+    json["status"]            = status;
+    json["version"]           = "0.1.0";
+    json["deal.II version"]   = DEAL_II_PACKAGE_VERSION;
+    json["ranks"]             = Utilities::MPI::n_mpi_processes(communicator);
+    json["dofs"]              = model.n_dofs();
+    json["steps"]             = step;
+    json["time"]              = time;
+    json["newton_iterations"] = newton_iterations;
+    json["linear_iterations"] = linear_iterations;
+    json["cut_backs"]         = cut_backs;
+    json["peak_memory_kB"]    = peak;
+    json["wall_seconds"]      = wall.wall_time();
+    json["parameters_hash"]   = std::hash<std::string>()(used_parameters);
+    for (const auto &[name, seconds] : times)
+      json["seconds"][name] = seconds;
+    for (const auto &interface : model.interfaces)
+      {
+        const auto     &r = interface->report();
+        nlohmann::json &j = json["interfaces"][interface->name];
+        j["force"]        = {r.force[0], r.force[1], r.force[2]};
+        j["moment"]       = {r.moment[0], r.moment[1], r.moment[2]};
+        j["largest_penetration"]      = r.largest_penetration;
+        j["penetration_over_release"] = r.relative_penetration;
+        j["mean_penetration"]         = r.mean_penetration;
+        j["active_area"]              = r.active_area;
+        j["energy"]                   = r.energy;
+        j["released_facets"]          = r.n_released;
+        j["search_seconds"]           = r.search_seconds;
+        j["evaluate_seconds"]         = r.evaluate_seconds;
+        j["initial_penetrating_facets"]  = r.initial.n_facets;
+        j["initial_deepest_penetration"] = r.initial.deepest.penetration;
+        j["initial_undetected_facets"]   = r.initial.n_undetected;
+      }
+    for (unsigned int c = 0; c < model.conditions.size(); ++c)
+      if (model.conditions[c].type == BoundaryCondition::Type::displacement)
+        {
+          const Tensor<1, 3> f = model.reaction(c);
+          json["reactions"][model.conditions[c].name] = {f[0], f[1], f[2]};
+        }
+    for (unsigned int p = 0; p < scene.output.probes.size(); ++p)
+      {
+        const Tensor<1, dim> v = probe(p);
+        for (unsigned int i = 0; i < dim; ++i)
+          json["probes"][scene.output.probes[p].name].push_back(v[i]);
+      }
+    output.text_file("summary.json", json.dump(2) + "\n");
+
+    std::ostringstream table;
+    table << std::fixed << std::setprecision(1);
+    for (const auto &[name, seconds] : times)
+      table << "  " << std::left << std::setw(34) << name << std::right
+            << std::setw(8) << seconds << " s\n";
+    table << "  peak memory " << peak / 1e6 << " GB";
+    log.line(table.str());
+  }
+
+
+
+  template class Simulation<2>;
+  template class Simulation<3>;
+} // namespace Structure

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef mortar_contact_host_contact_output_h
+#define mortar_contact_host_contact_output_h
+
+#include <mortar_contact/host/contact_interface.h>
+
+#include <string>
+
+namespace MortarContact
+{
+  /// State of one facet of a contact surface, for pictures and checks.
+  template <int dim>
+  struct FacetState
+  {
+    Facet<dim>   current;
+    Facet<dim>   reference;
+    /// Contact pressure at the vertices, Cauchy: contact force per present
+    /// area, positive; zero without contact [Pa].
+    VertexValues<dim> pressure = {};
+    double       penetration   = 0.; ///< Deepest on the facet [m]
+    double       relative      = 0.; ///< Over the release depth [-]
+    unsigned int side          = 0;  ///< 0 secondary, 1 primary.
+    FacetLabel   label;
+  };
+
+  /**
+   * State of all facets that carry integration points (for two-sided interfaces
+   * both sides), after ContactInterface::update(). On all ranks the same, in
+   * the same order.
+   *
+   * The pressure at a vertex is the contact force on it along the normals of
+   * its facets over the share of area of it: sum_f F_fa / sum_f A_f / n_f (A_f area,
+   * n_f vertices of facet f): exact for uniform pressure on parallelograms and
+   * triangles that contact covers.
+   */
+  template <int dim>
+  std::vector<FacetState<dim>>
+  facet_states(const ContactInterface<dim> &contact, const MPI_Comm communicator);
+
+  /// Write the contact surfaces of an interface as a VTU file, on rank 0.
+  template <int dim>
+  void
+  write_contact_vtu(const ContactInterface<dim> &contact,
+                    const std::string           &file,
+                    const MPI_Comm               communicator);
+} // namespace MortarContact
+
+#endif
