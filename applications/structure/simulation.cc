@@ -412,6 +412,7 @@ namespace Structure
         row.emplace_back(n + "largest_penetration", r.largest_penetration);
         row.emplace_back(n + "penetration_over_release", r.relative_penetration);
         row.emplace_back(n + "mean_penetration", r.mean_penetration);
+        row.emplace_back(n + "largest_overlap", r.largest_overlap);
         row.emplace_back(n + "active_area", r.active_area);
         row.emplace_back(n + "active_pairs", r.active_pairs);
         row.emplace_back(n + "energy", r.energy);
@@ -610,6 +611,7 @@ namespace Structure
         j["largest_penetration"]      = r.largest_penetration;
         j["penetration_over_release"] = r.relative_penetration;
         j["mean_penetration"]         = r.mean_penetration;
+        j["largest_overlap"]          = r.largest_overlap;
         j["active_area"]              = r.active_area;
         j["energy"]                   = r.energy;
         j["released_facets"]          = r.n_released;

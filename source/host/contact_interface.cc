@@ -378,7 +378,7 @@ namespace MortarContact
   {
     ContactReport &r = last_report;
     // Step 1: sums and maxima of this rank.
-    std::vector<double> sums(16, 0.), maxima(3, 0.);
+    std::vector<double> sums(16, 0.), maxima(4, 0.);
     maxima[2] = std::numeric_limits<double>::lowest();
     std::vector<DeepPenetration> worst;
     for (unsigned int i = 0; i < sweeps.size(); ++i)
@@ -397,6 +397,7 @@ namespace MortarContact
         for (unsigned int k = 0; k < 7; ++k)
           sums[k] += added[k];
         maxima[2] = std::max(maxima[2], -counts.smallest_gap);
+        maxima[3] = std::max(maxima[3], counts.overlap);
         for (const auto &pair : sweep.active_pairs())
           {
             const PairBlock<dim> &block = pair.block;
@@ -452,6 +453,7 @@ namespace MortarContact
     r.largest_penetration  = maxima[0];
     r.relative_penetration = maxima[1];
     r.smallest_gap         = -maxima[2];
+    r.largest_overlap      = maxima[3];
 
     // Step 3: the worst facets, deepest first, one line per facet.
     const auto deeper = [](const DeepPenetration &a, const DeepPenetration &b) {

@@ -159,6 +159,22 @@ namespace MortarContact
 
   template <int dim>
   void
+  ContactSweep<dim>::count(const PairBlock<dim> &block)
+  {
+    ++(block.is_active()    ? last_counts.active :
+       (block.n_points > 0) ? last_counts.open :
+                              last_counts.apart);
+    last_counts.degenerate += block.is_degenerate;
+    last_counts.beyond += block.n_beyond > 0;
+    last_counts.smallest_gap =
+      std::min(last_counts.smallest_gap, block.smallest_gap);
+    last_counts.overlap = std::max(last_counts.overlap, block.overlap);
+  }
+
+
+
+  template <int dim>
+  void
   ContactSweep<dim>::evaluate(const double share, const bool with_tangent)
   {
     active.clear();
@@ -192,21 +208,14 @@ namespace MortarContact
                                        weight,
                                        with_tangent,
                                        block);
-            last_counts.degenerate += block.is_degenerate;
-            last_counts.beyond += block.n_beyond > 0;
-            last_counts.smallest_gap =
-              std::min(last_counts.smallest_gap, block.smallest_gap);
+            count(block);
             if (block.is_active())
               {
                 if (with_tangent)
                   kernel.finish(block);
-                ++last_counts.active;
               }
             else
-              {
-                ++(block.n_points > 0 ? last_counts.open : last_counts.apart);
-                active.pop_back();
-              }
+              active.pop_back();
           }
       }
   }
@@ -269,17 +278,11 @@ namespace MortarContact
         for (std::size_t k = first_active; k < active.size(); ++k)
           {
             PairBlock<dim> &block = active[k].block;
-            last_counts.beyond += block.n_beyond > 0;
-            last_counts.smallest_gap =
-              std::min(last_counts.smallest_gap, block.smallest_gap);
+            count(block);
             if (!block.is_active())
-              {
-                ++(block.n_points > 0 ? last_counts.open : last_counts.apart);
-                continue;
-              }
+              continue;
             if (with_tangent)
               kernel.finish(block);
-            ++last_counts.active;
             if (kept != k)
               active[kept] = active[k];
             ++kept;
@@ -565,7 +568,7 @@ namespace MortarContact
           }
         for (const unsigned int p : broad_phase.find(box))
           {
-            if (!filter.may_touch(f, p))
+            if (!filter.face_each_other(f, p))
               continue;
             const Facet<dim> &other = primary.facets[p].current;
             double gap      = std::numeric_limits<double>::max();

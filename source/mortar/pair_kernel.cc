@@ -403,9 +403,9 @@ namespace MortarContact
 
     const double level =
       (offset.share > 0.) ? dot<dim>(N_s, offset.level) : 0.;
-    const double d = distance + secondary.surface_offset +
-                     primary.surface_offset -
-                     MortarContact::offset(level, offset.share);
+    const double overlap =
+      distance + secondary.surface_offset + primary.surface_offset;
+    const double d = overlap - MortarContact::offset(level, offset.share);
 
     // Step 2: stiffness and facing angle.
     const double l_s = dot<dim>(N_s, secondary.length);
@@ -439,6 +439,7 @@ namespace MortarContact
         return;
       }
     block.smallest_gap = std::min(block.smallest_gap, -d);
+    block.overlap      = std::max(block.overlap, overlap);
     if (!(d > 0.))
       return;
 

@@ -166,10 +166,11 @@ namespace MortarContact
                       Patterns::Integer(0, 1000),
                       "Facets listed in each penetration report [-].");
     prm.declare_entry("Tangent",
-                      "symmetric",
+                      "exact",
                       Patterns::Selection("symmetric|exact"),
-                      "exact: the derivative of the contact forces. symmetric: "
-                      "its symmetric part, for symmetric linear solvers.");
+                      "exact: the derivative of the contact forces, nearly "
+                      "symmetric but for sharp edges. symmetric: its symmetric "
+                      "part, for symmetric linear solvers; more iterations.");
   }
 
 

@@ -61,6 +61,7 @@ namespace MortarContact
     {
       unsigned int active = 0, open = 0, apart = 0, beyond = 0, degenerate = 0;
       double       smallest_gap = std::numeric_limits<double>::max();
+      double       overlap      = 0.;
     };
 
     /// @param weight Share of the contact energy: 1, or 1/2 for each of two.
@@ -143,6 +144,9 @@ namespace MortarContact
 
     bool
     is_released(const unsigned int owned) const;
+
+    void
+    count(const PairBlock<dim> &block);
 
     void
     evaluate_points(const double share, const bool with_tangent);

@@ -57,7 +57,7 @@ namespace MortarContact
 
     unsigned int report_every     = 1; ///< MINFO, steps; 0: never.
     unsigned int n_worst_facets   = 3;
-    bool         symmetric_tangent = true;
+    bool         symmetric_tangent = false;
 
     /// Declare all entries with their defaults and help.
     static void

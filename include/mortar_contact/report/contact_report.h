@@ -84,6 +84,7 @@ namespace MortarContact
     double largest_penetration  = 0.; ///< [m]
     double relative_penetration = 0.; ///< Largest, over the release depth.
     double mean_penetration     = 0.; ///< Over the active area [m]
+    double largest_overlap      = 0.; ///< Of the meshes, see PairBlock [m]
     double smallest_gap = std::numeric_limits<double>::max(); ///< [m]
     Tensor<1, 3> force;  ///< Resultant [N]
     Tensor<1, 3> moment; ///< About the origin [N m]

@@ -38,6 +38,15 @@ namespace MortarContact
              !share_vertex(secondary, s, primary, p);
     }
 
+    /// Whether the facets face each other now: pairs that do not carry no
+    /// force, whatever their distance.
+    bool
+    face_each_other(const unsigned int s, const unsigned int p) const
+    {
+      return -(normals_s[s] * normals_p[p]) > limit + turning &&
+             !share_vertex(secondary, s, primary, p);
+    }
+
     static bool
     share_vertex(const Skin<dim>   &secondary,
                  const unsigned int s,
