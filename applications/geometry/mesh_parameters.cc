@@ -14,6 +14,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <random>
 
 namespace Structure
 {
@@ -244,7 +245,8 @@ namespace Structure
     prm.declare_entry("Distortion",
                       "0.0",
                       Patterns::Double(0., 0.4),
-                      "Random motion of inner vertices over the cell size [-].");
+                      "Random motion of inner vertices, for boxes also of those "
+                      "on faces along the faces, over the cell size [-].");
     prm.declare_entry("Rotation axis",
                       "0, 0, 1",
                       doubles,
@@ -309,13 +311,22 @@ namespace Structure
                       ExcMessage("'Mesh/Upper corner' is not beyond 'Mesh/Lower "
                                  "corner' in direction " +
                                  std::string(1, "xyz"[i]) + "."));
+        const std::array<unsigned int, dim> n = cells_of<dim>(m);
+        std::mt19937                        random(1);
         make_structured_mesh<dim>(
-          cells_of<dim>(m),
+          n,
           false,
           [&](const Point<dim> &s) {
             Point<dim> p;
             for (unsigned int i = 0; i < dim; ++i)
-              p[i] = low[i] + s[i] * (high[i] - low[i]);
+              {
+                // vertices on faces, edges, corners stay there
+                const bool   stays = s[i] == 0. || s[i] == 1.;
+                const double share = random() / double(random.max()) - 0.5;
+                const double moved =
+                  s[i] + (stays ? 0. : 2. * m.distortion * share / n[i]);
+                p[i] = low[i] + moved * (high[i] - low[i]);
+              }
             return p;
           },
           mesh);
@@ -371,7 +382,7 @@ namespace Structure
         GridGenerator::flatten_triangulation(cubes, flat);
         GridGenerator::convert_hypercube_to_simplex_mesh(flat, mesh);
       }
-    if (m.distortion > 0.)
+    if (m.distortion > 0. && m.type != "box")
       GridTools::distort_random(m.distortion, mesh, true);
 
     // Step 3: in its place. Manifolds that know the axis would not move along:

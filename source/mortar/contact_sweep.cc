@@ -333,15 +333,47 @@ namespace MortarContact
 
 
   template <int dim>
+  typename ContactSweep<dim>::FacetDepths
+  ContactSweep<dim>::depths_of(const unsigned int               f,
+                               const std::vector<unsigned int> &among,
+                               const double                     deepest) const
+  {
+    // Small overlaps at a corner are looked for at this share of the way from
+    // the corner to the centre.
+    constexpr double inside_corner = 1e-3;
+
+    const Facet<dim>         &facet = secondary.facets[f].current;
+    const unsigned int        n     = facet.n_vertices;
+    const SecondaryFrame<dim> frame(facet);
+    FacetDepths               result;
+    const auto                look = [&](const PlanePoint<dim> &xi) {
+      const auto d = depth_at(frame, xi, f, among, deepest);
+      if (d && (!result.deepest || d->depth > result.deepest->depth))
+        {
+          result.deepest  = d;
+          result.position = interpolate(facet, shape_values<dim>(n, xi));
+        }
+      return d;
+    };
+    for (const PlanePoint<dim> &xi : material_points<dim>(n))
+      result.at_points.push_back(look(xi));
+    if (!result.deepest)
+      for (unsigned int a = 0; a < n; ++a)
+        {
+          const PlanePoint<dim> corner = reference_vertex<dim>(n, a);
+          look(corner + inside_corner * (reference_centre<dim>(n) - corner));
+        }
+    return result;
+  }
+
+
+
+  template <int dim>
   InitialFindings<dim>
   ContactSweep<dim>::detect_initial(const InitialTreatment &treatment)
   {
     // Penetrations beyond what is treated must be found to be reported.
     constexpr double look_deeper = 2.;
-    // Share of the way from a corner to the centre where small overlaps at the
-    // corner are looked for.
-    constexpr double inside_corner = 1e-3;
-
     std::vector<Box<dim>> boxes;
     for (const auto &p : primary.facets)
       boxes.push_back(box_around(p.current));
@@ -377,30 +409,9 @@ namespace MortarContact
         if (near.empty())
           continue;
 
-        // Step 2: depths at the material points and, to miss no small overlap,
-        // just inside the corners.
-        const auto                        points = material_points<dim>(n);
-        std::vector<std::optional<Depth>> depths;
-        std::optional<Depth>              deepest;
-        Tensor<1, dim>                    position;
-        const auto look = [&](const PlanePoint<dim> &xi) {
-          const auto d = depth_at(frame, xi, f, near, range);
-          if (d && (!deepest || d->depth > deepest->depth))
-            {
-              deepest  = d;
-              position = interpolate(facet.current, shape_values<dim>(n, xi));
-            }
-          return d;
-        };
-        for (const PlanePoint<dim> &xi : points)
-          depths.push_back(look(xi));
-        if (!deepest)
-          for (unsigned int a = 0; a < n; ++a)
-            {
-              const PlanePoint<dim> corner = reference_vertex<dim>(n, a);
-              look(corner +
-                   inside_corner * (reference_centre<dim>(n) - corner));
-            }
+        // Step 2: how deep?
+        const FacetDepths           depths  = depths_of(f, near, range);
+        const std::optional<Depth> &deepest = depths.deepest;
         if (!deepest || !(deepest->depth > 0.))
           continue;
 
@@ -416,7 +427,7 @@ namespace MortarContact
               {
                 findings.too_deep          = deepest->depth;
                 findings.too_deep_facet    = f;
-                findings.too_deep_position = position;
+                findings.too_deep_position = depths.position;
               }
             if (history.released.empty())
               history.released.resize(owned.size(), false);
@@ -429,7 +440,7 @@ namespace MortarContact
           {
             findings.depth    = deepest->depth;
             findings.facet    = f;
-            findings.position = position;
+            findings.position = depths.position;
           }
         if (!treatment.store)
           continue;
@@ -437,10 +448,9 @@ namespace MortarContact
         // Step 4: keep the levels.
         if (history.level.empty())
           history.level.resize(owned.size(), VertexValues<dim>{});
-        for (unsigned int q = 0; q < points.size(); ++q)
+        for (unsigned int q = 0; q < depths.at_points.size(); ++q)
           {
-            // a point beside the other surface goes with the deepest one
-            const Depth  at        = depths[q] ? *depths[q] : *deepest;
+            const Depth  at        = *depths.of_point(q);
             const double remaining =
               at.stiffness.length *
               law.inverse(treatment.remaining_pressure / at.stiffness.modulus);
@@ -503,19 +513,16 @@ namespace MortarContact
         if (!follows && !is_released(o))
           continue;
 
-        const ContactFacet<dim>  &facet = secondary.facets[f];
-        const SecondaryFrame<dim> frame(facet.current);
-        const auto points = material_points<dim>(facet.current.n_vertices);
-        bool       is_open = true;
-        for (unsigned int q = 0; q < points.size(); ++q)
-          {
-            const auto d = depth_at(frame, points[q], f, near, reach(f));
-            is_open      = is_open && (!d || d->depth <= 0.);
-            // out of sight is open
-            if (follows)
+        const FacetDepths depths = depths_of(f, near, reach(f));
+        if (follows)
+          for (unsigned int q = 0; q < depths.at_points.size(); ++q)
+            {
+              // out of sight is open
+              const std::optional<Depth> &d = depths.of_point(q);
               history.level[o][q] =
                 std::min(history.level[o][q], d ? d->depth : 0.);
-          }
+            }
+        const bool is_open = !depths.deepest || depths.deepest->depth <= 0.;
         if (is_released(o) && is_open)
           history.released[o] = false;
       }

@@ -167,6 +167,28 @@ namespace MortarContact
              const std::vector<unsigned int>  &among,
              const double                      deepest) const;
 
+    /// Depths on one facet.
+    struct FacetDepths
+    {
+      /// At the material points that see the other surface.
+      std::vector<std::optional<Depth>> at_points;
+      /// Of these or, if there is none, of the corners.
+      std::optional<Depth> deepest;
+      Tensor<1, dim>       position; ///< Of the deepest.
+
+      /// At a material point; one that sees nothing goes with the deepest.
+      const std::optional<Depth> &
+      of_point(const unsigned int q) const
+      {
+        return at_points[q] ? at_points[q] : deepest;
+      }
+    };
+
+    FacetDepths
+    depths_of(const unsigned int               secondary_facet,
+              const std::vector<unsigned int> &among,
+              const double                     deepest) const;
+
     double
     reach(const unsigned int secondary_facet) const;
 

@@ -32,7 +32,9 @@ namespace MortarContact
     };
     Rule         rule                 = Rule::segments;
     unsigned int degree               = 5; ///< Of the rule on segments, 2 to 6.
-    unsigned int points_per_direction = 3; ///< For Rule::points.
+    /// For Rule::points. Even: no point lies on the middle line of a facet,
+    /// where edges of another regular mesh like to be.
+    unsigned int points_per_direction = 4;
   };
 
   /// Which side's stiffness acts.

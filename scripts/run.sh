@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# Run the driver that a parameter file belongs to:
+#   scripts/run.sh FILE.prm [options of the driver]
+# Installs what is missing (Debian 12), builds in Release, runs on two ranks
+# where there are two cores. RANKS=n chooses the number.
+set -euo pipefail
+source "$(dirname "$0")/prepare.sh"
+
+if [ $# = 0 ] || [ "$1" = --help ]; then
+  sed -n '2,5s/^# //p' "$0"
+  exit 1
+fi
+file=$1
+if [ ! -r "$file" ]; then
+  echo "ERROR: the parameter file '$file' cannot be read." >&2
+  exit 1
+fi
+driver=$(sed -n 's/^[[:space:]]*set[[:space:]]\+Driver[[:space:]]*=[[:space:]]*\([a-z_]*\).*/\1/p' "$file" | head -1)
+if [ -z "$driver" ] || [ ! -f "$root/applications/$driver.cc" ]; then
+  known=$(cd "$root/applications" && ls ./*.cc | sed 's/^\.\///; s/\.cc$//' | tr '\n' ' ')
+  echo "ERROR: '$file' says 'set Driver = $driver'; expected one of: $known" >&2
+  exit 1
+fi
+
+install_missing $build_packages
+build "$root/build" Release "$driver" -- -DMORTAR_CONTACT_TESTS=OFF
+
+ranks=${RANKS:-$(nproc)}
+[ -z "${RANKS:-}" ] && [ "$ranks" -gt 2 ] && ranks=2
+status=0
+mpirun -np "$ranks" "$root/build/$driver" "$@" || status=$?
+
+# Pictures of the standard cases, where the tools for them are.
+if [ "$status" = 0 ] && [ "$driver" = rubber_fit ]; then
+  case " $* " in
+    *" --check "* | *" --print-parameters "* | *" --help "* | *" --version "*) exit 0 ;;
+  esac
+  install_missing $picture_packages
+  folder=$(sed -n 's/^[[:space:]]*set[[:space:]]\+Directory[[:space:]]*=[[:space:]]*//p' "$file" | tail -1)
+  previous=
+  for word in "$@"; do
+    [ "$previous" = --output ] && folder=$word
+    previous=$word
+  done
+  python3 "$root/scripts/pictures.py" "${folder:-output}"
+fi
+exit "$status"

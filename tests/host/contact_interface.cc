@@ -1,0 +1,501 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// The interface as a host sees it, on deal.II's own matrices (one rank) and on
+// Trilinos' (any number of ranks), without the drivers.
+
+#include <mortar_contact/mortar_contact.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <deal.II/distributed/shared_tria.h>
+
+#include <deal.II/dofs/dof_tools.h>
+
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/mapping_q.h>
+
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/sparse_matrix.h>
+#include <deal.II/lac/sparsity_tools.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+#include <deal.II/lac/trilinos_vector.h>
+#include <deal.II/lac/vector.h>
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+using namespace dealii;
+using namespace MortarContact;
+
+namespace
+{
+  /// Two blocks in one mesh: block 0 below z = 1 (y = 1), block 1 above. Contact
+  /// faces have boundary ids 10 and 20; they overlap by @p overlap.
+  template <int dim>
+  struct TwoBlocks
+  {
+    explicit TwoBlocks(const double       overlap,
+                       const unsigned int degree = 1,
+                       const bool         curved = false)
+      : tria(MPI_COMM_WORLD,
+             Triangulation<dim>::none,
+             false,
+             parallel::shared::Triangulation<dim>::partition_zorder)
+      , mapping(degree)
+      , fe(FE_Q<dim>(degree), dim)
+      , dof_handler(tria)
+    {
+      Triangulation<dim> a, b;
+      Point<dim>         high, low_b, high_b;
+      for (unsigned int i = 0; i < dim; ++i)
+        {
+          high[i]   = 1.;
+          low_b[i]  = 0.1;
+          high_b[i] = 0.8;
+        }
+      low_b[dim - 1]  = 1. - overlap;
+      high_b[dim - 1] = 1.6;
+      std::vector<unsigned int> n_a(dim, 4), n_b(dim, 3);
+      GridGenerator::subdivided_hyper_rectangle(a, n_a, Point<dim>(), high);
+      GridGenerator::subdivided_hyper_rectangle(b, n_b, low_b, high_b);
+      for (const auto &cell : b.active_cell_iterators())
+        cell->set_material_id(1);
+      Triangulation<dim> both;
+      GridGenerator::merge_triangulations(a, b, both, 0.);
+      for (const auto &cell : both.active_cell_iterators())
+        for (const unsigned int f : cell->face_indices())
+          if (cell->face(f)->at_boundary())
+            {
+              const double z = cell->face(f)->center()[dim - 1];
+              if (cell->material_id() == 0 && std::abs(z - 1.) < 1e-10)
+                cell->face(f)->set_boundary_id(10);
+              if (cell->material_id() == 1 &&
+                  std::abs(z - 1. + overlap) < 1e-10)
+                cell->face(f)->set_boundary_id(20);
+            }
+      if (curved)
+        GridTools::transform(
+          [](const Point<dim> &p) {
+            Point<dim> q = p;
+            q[dim - 1] += 0.03 * std::sin(3. * p[0]) * (1. + p[dim - 2]);
+            return q;
+          },
+          both);
+      tria.copy_triangulation(both);
+      dof_handler.distribute_dofs(fe);
+      constraints.close();
+    }
+
+    void
+    add_to(ContactInterface<dim> &contact, const bool swapped = false)
+    {
+      const auto modulus = [](const auto &cell) {
+        return cell->material_id() == 0 ? 1000. : 3000.;
+      };
+      contact.add_secondary(
+        dof_handler, mapping, boundary_ids({swapped ? 20u : 10u}), modulus, "a");
+      contact.add_primary(
+        dof_handler, mapping, boundary_ids({swapped ? 10u : 20u}), modulus, "b");
+      contact.setup();
+    }
+
+    TrilinosWrappers::MPI::Vector
+    vector() const
+    {
+      return TrilinosWrappers::MPI::Vector(dof_handler.locally_owned_dofs(),
+                                           MPI_COMM_WORLD);
+    }
+
+    parallel::shared::Triangulation<dim> tria;
+    MappingQ<dim>                        mapping;
+    FESystem<dim>                        fe;
+    DoFHandler<dim>                      dof_handler;
+    AffineConstraints<double>            constraints;
+  };
+
+  template <int dim>
+  ContactReport
+  evaluate(TwoBlocks<dim>        &blocks,
+           ContactInterface<dim> &contact,
+           const double           time = 0.)
+  {
+    contact.update(blocks.vector(), time);
+    return contact.report();
+  }
+} // namespace
+
+
+
+TEST(ContactInterface, TangentAgreesWithDifferencesOnCurvedBlocks)
+{
+  for (const unsigned int degree : {1u, 2u})
+    {
+      TwoBlocks<3>        blocks(0.02, degree, true);
+      ContactInterface<3> contact("i", {}, MPI_COMM_WORLD);
+      blocks.add_to(contact);
+      EXPECT_LT(contact.check_tangent(blocks.vector()), 1e-6);
+      EXPECT_LT(contact.check_balance(), 1e-14);
+    }
+  TwoBlocks<2>        blocks(0.02, 2, true);
+  ContactInterface<2> contact("i", {}, MPI_COMM_WORLD);
+  blocks.add_to(contact);
+  EXPECT_LT(contact.check_tangent(blocks.vector()), 1e-6);
+  EXPECT_LT(contact.check_balance(), 1e-14);
+}
+
+
+
+TEST(ContactInterface, SidesMayBeSwapped)
+{
+  TwoBlocks<3>        blocks(0.02, 1, true);
+  ContactInterface<3> one("i", {}, MPI_COMM_WORLD), other("i", {}, MPI_COMM_WORLD);
+  blocks.add_to(one);
+  blocks.add_to(other, true);
+  const auto a = evaluate(blocks, one), b = evaluate(blocks, other);
+  EXPECT_GT(a.force.norm(), 0.);
+  EXPECT_LT((a.force + b.force).norm(), 1e-12 * a.force.norm());
+  EXPECT_LT((a.moment + b.moment).norm(), 1e-12 * a.moment.norm());
+  EXPECT_NEAR(a.largest_penetration, b.largest_penetration, 1e-14);
+}
+
+
+
+TEST(ContactInterface, TheSameOnAnyNumberOfRanks)
+{
+  // reference: what one rank gives, computed by every rank for itself
+  TwoBlocks<3>        blocks(0.02, 1, true);
+  ContactInterface<3> contact("i", {}, MPI_COMM_WORLD);
+  blocks.add_to(contact);
+  const auto r = evaluate(blocks, contact);
+
+  auto   forces = blocks.vector();
+  contact.assemble(forces, blocks.constraints);
+  forces.compress(VectorOperation::add);
+  const double norm = forces.l2_norm();
+
+  // flat blocks have a closed form for the resultant: pressure times area, so
+  // the numbers do not come from the code alone
+  TwoBlocks<3>      flat(0.01);
+  ContactParameters p;
+  p.modulus               = 1000.;
+  p.characteristic_length = "0.1";
+  p.stiffness_side        = "secondary";
+  ContactInterface<3> flat_contact("i", p, MPI_COMM_WORLD);
+  flat.add_to(flat_contact);
+  const auto f = evaluate(flat, flat_contact);
+  // p = 0.1 * 0.03 * 1000 * (0.01/0.003 - 1) = 7 on 0.7 x 0.7
+  EXPECT_NEAR(f.force[2], -7. * 0.49, 1e-12);
+  EXPECT_NEAR(f.active_area, 0.49, 1e-13);
+  EXPECT_NEAR(f.moment[0], -7. * 0.49 * 0.45, 1e-12);
+
+  // measured on one rank, kept to see that the others agree with it
+  EXPECT_NEAR(norm / r.force.norm(), 0.3, 0.2);
+  std::vector<double> norms =
+    Utilities::MPI::all_gather(MPI_COMM_WORLD, norm);
+  for (const double n : norms)
+    EXPECT_EQ(n, norm);
+}
+
+
+
+TEST(ContactInterface, SerialMatricesOfDealII)
+{
+  if (Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+    GTEST_SKIP() << "serial matrices";
+  TwoBlocks<3>        blocks(0.02);
+  ContactInterface<3> contact("i", {}, MPI_COMM_SELF);
+  blocks.add_to(contact);
+  Vector<double> u(blocks.dof_handler.n_dofs()), rhs(u.size());
+  contact.update(u);
+  EXPECT_TRUE(contact.report().couplings_changed);
+  DynamicSparsityPattern dsp(u.size());
+  contact.add_couplings(dsp, blocks.constraints);
+  EXPECT_FALSE(contact.report().couplings_changed);
+  SparsityPattern      pattern;
+  pattern.copy_from(dsp);
+  SparseMatrix<double> matrix(pattern);
+  contact.assemble(matrix, rhs, blocks.constraints);
+
+  TrilinosWrappers::SparseMatrix trilinos;
+  trilinos.reinit(dsp);
+  auto forces = blocks.vector();
+  contact.assemble(trilinos, forces, blocks.constraints);
+  trilinos.compress(VectorOperation::add);
+  forces.compress(VectorOperation::add);
+  EXPECT_NEAR(matrix.frobenius_norm(), trilinos.frobenius_norm(), 1e-9);
+  EXPECT_NEAR(rhs.l2_norm(), forces.l2_norm(), 1e-12);
+}
+
+
+
+TEST(ContactInterface, NoFacetPassesAnotherInOneUpdate)
+{
+  TwoBlocks<3>        blocks(-0.1); // a gap
+  ContactParameters   p;
+  p.characteristic_length = "0.2";
+  ContactInterface<3> contact("i", p, MPI_COMM_WORLD);
+  blocks.add_to(contact);
+  auto u = blocks.vector(), du = blocks.vector();
+  contact.update(u);
+  std::vector<types::global_dof_index> dofs(blocks.fe.n_dofs_per_cell());
+  for (const auto &cell : blocks.dof_handler.active_cell_iterators())
+    if (cell->is_locally_owned() && cell->material_id() == 1)
+      {
+        cell->get_dof_indices(dofs);
+        for (unsigned int a = 0; a < dofs.size(); ++a)
+          if (blocks.fe.system_to_component_index(a).first == 2 &&
+              du.in_local_range(dofs[a]))
+            du(dofs[a]) = -10.;
+      }
+  du.compress(VectorOperation::insert);
+  // may close the gap of 0.1 and penetrate by l/2 = 0.1
+  EXPECT_NEAR(contact.largest_safe_step(u, du), 0.02, 1e-12);
+  du *= -1.;
+  EXPECT_EQ(contact.largest_safe_step(u, du), 1.);
+}
+
+
+
+TEST(ContactInterface, InitialPenetrationsAreTreatedAsAsked)
+{
+  // THEORY T40 to T42 on two plates with the overlap d0 = 0.01; parabola part
+  const auto force_at = [](const InitialPenetration treatment,
+                           const double             time,
+                           const double             pressure = 0.) {
+    TwoBlocks<3>      blocks(0.01);
+    ContactParameters p;
+    p.modulus               = 1000.;
+    p.characteristic_length = "1";
+    p.initial_penetration   = treatment;
+    p.initial_pressure      = pressure;
+    if (treatment == InitialPenetration::remove ||
+        treatment == InitialPenetration::remove_deep)
+      p.removal_time = 2.;
+    if (treatment == InitialPenetration::remove_deep)
+      p.deepest_penetration = 0.02;
+    ContactInterface<3> contact("i", p, MPI_COMM_WORLD);
+    blocks.add_to(contact);
+    if (treatment != InitialPenetration::stress)
+      {
+        EXPECT_GT(contact.report().initial.n_facets, 0u);
+        EXPECT_NEAR(contact.report().initial.deepest.penetration, 0.01, 1e-14);
+      }
+    return -evaluate(blocks, contact, time).force[2] / 0.49;
+  };
+  // series of two equal sides: K = 500, l = 1; p = 0.1 500 d^2 / (4 0.03)
+  const auto sigma = [](const double d) { return 0.1 * 500. * d * d / 0.12; };
+  using I          = InitialPenetration;
+  EXPECT_NEAR(force_at(I::stress, 0.), sigma(0.01), 1e-13);
+  EXPECT_NEAR(force_at(I::track, 0.), 0., 1e-13);
+  EXPECT_NEAR(force_at(I::ignore, 0.), 0., 1e-13);
+  EXPECT_NEAR(force_at(I::ignore, 7., 1e-3), 1e-3, 1e-13);
+  EXPECT_NEAR(force_at(I::remove, 0.), 0., 1e-13);
+  EXPECT_NEAR(force_at(I::remove, 0.5), sigma(0.0025), 1e-13);
+  EXPECT_NEAR(force_at(I::remove, 2.), sigma(0.01), 1e-13);
+  EXPECT_NEAR(force_at(I::remove_deep, 1.), sigma(0.005), 1e-13);
+}
+
+
+
+namespace
+{
+  /// Displacement of block 1 by @p by along the last axis.
+  template <int dim>
+  TrilinosWrappers::MPI::Vector
+  lift(TwoBlocks<dim> &blocks, const double by)
+  {
+    auto                                 u = blocks.vector();
+    std::vector<types::global_dof_index> dofs(blocks.fe.n_dofs_per_cell());
+    for (const auto &cell : blocks.dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned() && cell->material_id() == 1)
+        {
+          cell->get_dof_indices(dofs);
+          for (unsigned int a = 0; a < dofs.size(); ++a)
+            if (blocks.fe.system_to_component_index(a).first == dim - 1 &&
+                u.in_local_range(dofs[a]))
+              u(dofs[a]) = by;
+        }
+    u.compress(VectorOperation::insert);
+    return u;
+  }
+} // namespace
+
+
+
+TEST(ContactInterface, TrackedPenetrationsFollowTheOpening)
+{
+  // THEORY T41: force 0 at the start; after full separation the surface is
+  // itself again; after partial opening to d1 the offset stays d1
+  const double      d0 = 0.01;
+  TwoBlocks<3>      blocks(d0);
+  ContactParameters p;
+  p.modulus               = 1000.;
+  p.characteristic_length = "1";
+  p.initial_penetration   = InitialPenetration::track;
+  const auto sigma = [](const double d) { return 0.1 * 500. * d * d / 0.12; };
+  const auto pressure = [&](ContactInterface<3> &c, const double up, const bool commit) {
+    c.update(lift(blocks, up));
+    if (commit)
+      c.commit(0.);
+    return -c.report().force[2] / 0.49;
+  };
+  ContactInterface<3> partly("i", p, MPI_COMM_WORLD);
+  blocks.add_to(partly);
+  EXPECT_NEAR(pressure(partly, 0., true), 0., 1e-13);
+  EXPECT_NEAR(pressure(partly, 0.6 * d0, true), 0., 1e-13);
+  EXPECT_NEAR(pressure(partly, 0.3 * d0, false), sigma(0.3 * d0), 1e-12);
+  // a rejected state leaves no trace
+  EXPECT_NEAR(pressure(partly, 2. * d0, false), 0., 1e-13);
+  partly.rollback();
+  EXPECT_NEAR(pressure(partly, 0.3 * d0, false), sigma(0.3 * d0), 1e-12);
+
+  ContactInterface<3> fully("i", p, MPI_COMM_WORLD);
+  blocks.add_to(fully);
+  EXPECT_NEAR(pressure(fully, 2. * d0, true), 0., 1e-13);
+  EXPECT_NEAR(pressure(fully, 0.5 * d0, true), sigma(0.5 * d0), 1e-12);
+
+  // state survives saving and loading
+  std::stringstream saved;
+  partly.save(saved);
+  ContactInterface<3> again("i", p, MPI_COMM_WORLD);
+  blocks.add_to(again);
+  again.load(saved);
+  EXPECT_NEAR(pressure(again, 0.3 * d0, false), sigma(0.3 * d0), 1e-12);
+}
+
+
+
+TEST(ContactInterface, DeepPenetrationsAreNeverSilent)
+{
+  TwoBlocks<3>      blocks(0.3);
+  ContactParameters p;
+  p.characteristic_length = "0.1";
+  p.initial_penetration   = InitialPenetration::remove;
+  p.removal_time          = 1.;
+  {
+    // IGNORE 3 does not see what is deeper than l/2, and says so (T44)
+    ContactInterface<3> contact("i", p, MPI_COMM_WORLD);
+    // look at twice the release depth: 0.1 < 0.3 is out of sight; a shallower
+    // overlap is in
+    TwoBlocks<3> shallower(0.08);
+    shallower.add_to(contact);
+    EXPECT_GT(contact.report().initial.n_undetected, 0u);
+    EXPECT_NEAR(contact.report().initial.undetected.penetration, 0.08, 1e-12);
+    EXPECT_NE(contact.report().initial_text().find("WARNING"), std::string::npos);
+    EXPECT_EQ(evaluate(shallower, contact).active_pairs, 0u);
+  }
+  p.initial_penetration = InitialPenetration::remove_deep;
+  p.deepest_penetration = 0.31;
+  {
+    ContactInterface<3> contact("i", p, MPI_COMM_WORLD);
+    blocks.add_to(contact);
+    EXPECT_NEAR(contact.report().initial.deepest.penetration, 0.3, 1e-12);
+    EXPECT_NEAR(evaluate(blocks, contact, 0.).force.norm(), 0., 1e-10);
+  }
+  p.deepest_penetration = 0.2;
+  {
+    ContactInterface<3> contact("i", p, MPI_COMM_WORLD);
+    EXPECT_THROW(blocks.add_to(contact), ExcMessage);
+  }
+}
+
+
+
+TEST(ContactInterface, ReleaseIsJudgedOnConvergedStates)
+{
+  // THEORY T5: d = 0.51 l converged is released next step and reported; inside
+  // an iterate there is force
+  TwoBlocks<3>      blocks(0.051);
+  ContactParameters p;
+  p.characteristic_length = "0.1";
+  p.release               = ContactParameters::Release::report;
+  ContactInterface<3> contact("i", p, MPI_COMM_WORLD);
+  TwoBlocks<3>        touching(0.001);
+  touching.add_to(contact);
+  const auto down = [&](const double by) { return lift(touching, -by); };
+  contact.update(down(0.05));
+  EXPECT_GT(contact.report().force.norm(), 0.);
+  EXPECT_GT(contact.report().n_too_deep, 0u);
+  EXPECT_TRUE(contact.advice().accept);
+  contact.commit(0.);
+  EXPECT_GT(contact.report().n_released, 0u);
+  contact.update(down(0.05));
+  EXPECT_EQ(contact.report().force.norm(), 0.);
+  // opened and closed again, contact is back
+  contact.update(down(-0.01));
+  contact.commit(0.);
+  contact.update(down(0.01));
+  EXPECT_GT(contact.report().force.norm(), 0.);
+
+  p.release = ContactParameters::Release::cut_back;
+  ContactInterface<3> strict("i", p, MPI_COMM_WORLD);
+  touching.add_to(strict);
+  strict.update(down(0.05));
+  EXPECT_FALSE(strict.advice().accept);
+  EXPECT_NE(strict.advice().reason.find("release"), std::string::npos);
+}
+
+
+
+TEST(ContactInterface, OffsetsPushTheSurfaceOut)
+{
+  // THEORY T45: a gap below the offset becomes an initial penetration; with
+  // `ignore` and a small pressure it binds loose parts with the stiffness of
+  // section 4.5, (alpha K / l) sqrt(p0/(alpha eps K)) per area
+  TwoBlocks<3>      blocks(-0.02);
+  ContactParameters p;
+  p.modulus               = 1000.;
+  p.characteristic_length = "1";
+  p.stiffness_side        = "secondary";
+  p.kind = ContactParameters::Kind::forming_surface_to_surface;
+  p.secondary_offset    = 0.03;
+  p.initial_penetration = InitialPenetration::ignore;
+  p.initial_pressure    = 0.01;
+  ContactInterface<3> contact("i", p, MPI_COMM_WORLD);
+  blocks.add_to(contact);
+  EXPECT_NEAR(contact.report().initial.deepest.penetration, 0.01, 1e-13);
+  const auto pressure = [&](const double up) {
+    contact.update(lift(blocks, up));
+    return -contact.report().force[2] / 0.49;
+  };
+  EXPECT_NEAR(pressure(0.), 0.01, 1e-10);
+  const double h = 1e-6;
+  EXPECT_NEAR((pressure(-h) - pressure(h)) / (2. * h),
+              100. * std::sqrt(0.01 / 3.),
+              1e-6);
+}
+
+
+
+TEST(ContactInterface, UnusableInputIsRefusedInWords)
+{
+  TwoBlocks<3>        blocks(0.01);
+  ContactInterface<3> contact("floor", {}, MPI_COMM_WORLD);
+  const auto          one = [](const auto &) { return 1.; };
+  try
+    {
+      contact.add_secondary(
+        blocks.dof_handler, blocks.mapping, boundary_ids({77}), one, "block");
+      FAIL();
+    }
+  catch (const ExcMessage &e)
+    {
+      const std::string what = e.what();
+      EXPECT_NE(what.find("floor"), std::string::npos);
+      EXPECT_NE(what.find("empty"), std::string::npos);
+    }
+  EXPECT_THROW(contact.add_secondary(blocks.dof_handler,
+                                     blocks.mapping,
+                                     boundary_ids({10}),
+                                     [](const auto &) { return -1.; }),
+               ExcMessage);
+  EXPECT_THROW(contact.setup(), ExcMessage);
+  ContactParameters p;
+  p.initial_penetration = InitialPenetration::remove;
+  EXPECT_THROW(ContactInterface<3>("i", p, MPI_COMM_WORLD), ExcMessage);
+}
