@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Pictures of a finished run of rubber_fit, from the run's own files.
 
 Usage: scripts/pictures.py FOLDER
@@ -18,6 +18,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import vtk
+from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 from vtk.util.numpy_support import vtk_to_numpy
 
 
@@ -123,42 +124,35 @@ def pressure_picture(folder):
     threshold.SetThresholdFunction(vtk.vtkThreshold.THRESHOLD_LOWER)
     threshold.Update()
     rubber = threshold.GetOutput()
-    rubber.GetPointData().SetActiveScalars("pressure")
-    low, high = rubber.GetPointData().GetArray("pressure").GetRange()
+    points = vtk_to_numpy(rubber.GetPoints().GetData())
+    pressure = vtk_to_numpy(rubber.GetPointData().GetArray("pressure"))
+    polygons, values = [], []
+    for c in range(rubber.GetNumberOfCells()):
+        ids = rubber.GetCell(c).GetPointIds()
+        ids = [ids.GetId(k) for k in range(ids.GetNumberOfIds())]
+        polygons.append(points[ids])
+        values.append(pressure[ids].mean())
 
-    colors = vtk.vtkLookupTable()
-    colors.SetHueRange(0.667, 0.0)
-    colors.Build()
-    mapper = vtk.vtkDataSetMapper()
-    mapper.SetInputData(rubber)
-    mapper.SetScalarRange(low, high)
-    mapper.SetLookupTable(colors)
-    actor = vtk.vtkActor()
-    actor.SetMapper(mapper)
-    actor.GetProperty().EdgeVisibilityOn()
-    bar = vtk.vtkScalarBarActor()
-    bar.SetLookupTable(colors)
-    bar.SetTitle("contact pressure")
-    bar.GetTitleTextProperty().SetColor(0, 0, 0)
-    bar.GetLabelTextProperty().SetColor(0, 0, 0)
-    renderer = vtk.vtkRenderer()
-    renderer.SetBackground(1, 1, 1)
-    renderer.AddActor(actor)
-    renderer.AddActor2D(bar)
-    renderer.GetActiveCamera().SetPosition(1, 0.7, 0.5)
-    renderer.GetActiveCamera().SetViewUp(0, 0, 1)
-    renderer.ResetCamera()
-    window = vtk.vtkRenderWindow()
-    window.SetOffScreenRendering(1)
-    window.SetSize(900, 700)
-    window.AddRenderer(renderer)
-    window.Render()
-    image = vtk.vtkWindowToImageFilter()
-    image.SetInput(window)
-    writer = vtk.vtkPNGWriter()
-    writer.SetFileName(os.path.join(folder, "pressure.png"))
-    writer.SetInputConnection(image.GetOutputPort())
-    writer.Write()
+    figure = plt.figure(figsize=(8, 6))
+    axis = figure.add_subplot(projection="3d")
+    colors = plt.cm.ScalarMappable(cmap="jet")
+    colors.set_array(values)
+    axis.add_collection3d(
+        Poly3DCollection(
+            polygons,
+            facecolors=colors.to_rgba(values),
+            edgecolors="black",
+            linewidths=0.3,
+        )
+    )
+    low, high = points.min(axis=0), points.max(axis=0)
+    axis.set_xlim(low[0], high[0])
+    axis.set_ylim(low[1], high[1])
+    axis.set_zlim(low[2], high[2])
+    axis.set_box_aspect(high - low)
+    axis.view_init(elev=25, azim=40)
+    figure.colorbar(colors, ax=axis, label="contact pressure on the rubber")
+    figure.savefig(os.path.join(folder, "pressure.png"), dpi=120)
 
 
 def main():

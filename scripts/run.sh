@@ -42,6 +42,6 @@ if [ "$status" = 0 ] && [ "$driver" = rubber_fit ]; then
     [ "$previous" = --output ] && folder=$word
     previous=$word
   done
-  python3 "$root/scripts/pictures.py" "${folder:-output}"
+  /usr/bin/python3 "$root/scripts/pictures.py" "${folder:-output}"
 fi
 exit "$status"

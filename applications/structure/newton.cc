@@ -16,6 +16,16 @@ namespace Structure
     /// Motions below this times the size of the scene are none.
     constexpr double motion_floor = 1e-12;
 
+    /// Motions of a step below this times the displacements are none: nothing
+    /// happens in the step, and updates are round-off.
+    constexpr double still = 1e-3;
+
+    /// Updates below this are round-off: no better solution can be written
+    /// down. Then the residual's floor is reached too, if it is at least below
+    /// the second number.
+    constexpr double update_round_off   = 1e-11;
+    constexpr double residual_round_off = 1e-6;
+
     /// A residual this much below the tolerance needs no second witness.
     constexpr double surely_converged = 1e-3;
 
@@ -108,7 +118,9 @@ namespace Structure
         if (at_target && ((iterate.residual <= parameters.force_tolerance &&
                            iterate.update <= parameters.displacement_tolerance) ||
                           iterate.residual <= surely_converged *
-                                                parameters.force_tolerance))
+                                                parameters.force_tolerance ||
+                          (iterate.residual <= residual_round_off &&
+                           iterate.update <= update_round_off)))
           {
             result.converged = true;
             return result;
@@ -170,7 +182,9 @@ namespace Structure
         motion -= u_start;
         iterate.update =
           iterate.step * du.linfty_norm() /
-          std::max(motion.linfty_norm(), motion_floor * model.size);
+          std::max({motion.linfty_norm(),
+                    still * u.linfty_norm(),
+                    motion_floor * model.size});
       }
   }
 

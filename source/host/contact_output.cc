@@ -70,50 +70,65 @@ namespace MortarContact
   std::vector<FacetState<dim>>
   facet_states(const ContactInterface<dim> &contact, const MPI_Comm communicator)
   {
-    std::vector<FacetState<dim>> states;
-    for (unsigned int i = 0; i < contact.n_sweeps(); ++i)
+    // Step 1: forces on the vertices of all facets, by side, from all sweeps:
+    // the share that each sweep carries has no meaning of its own.
+    constexpr unsigned int V = max_vertices<dim>;
+    std::vector<double>    force[2], depth[2];
+    for (unsigned int side = 0; side < 2; ++side)
       {
-        const ContactSurface<dim> &surface  = contact.surface(i);
-        const Skin<dim>           &skin     = surface.skin;
-        const unsigned int         n_facets = skin.facets.size();
-
-        // forces on the facets' vertices by this sweep, and depths
-        constexpr unsigned int V = max_vertices<dim>;
-        std::vector<double>    force(n_facets * V, 0.), depth(2 * n_facets, 0.);
-        for (const auto &pair : contact.sweep(i).active_pairs())
+        const unsigned int n = contact.surface(side).skin.facets.size();
+        force[side].resize(n * V, 0.);
+        depth[side].resize(2 * n, 0.);
+      }
+    for (unsigned int i = 0; i < contact.n_sweeps(); ++i)
+      for (const auto &pair : contact.sweep(i).active_pairs())
+        for (unsigned int role = 0; role < 2; ++role)
           {
-            const unsigned int   f = pair.secondary;
-            const Tensor<1, dim> w = centre_normal(skin.facets[f].current);
+            const unsigned int   side = (role == 0) ? i : 1 - i;
+            const unsigned int   f = (role == 0) ? pair.secondary : pair.primary;
+            const Tensor<1, dim> w =
+              centre_normal(contact.surface(side).skin.facets[f].current);
             for (unsigned int a = 0; a < V; ++a)
               for (unsigned int c = 0; c < dim; ++c)
-                force[f * V + a] +=
-                  pair.block.residual[a * dim + c] * w[c] / w.norm();
-            depth[2 * f] = std::max(depth[2 * f], pair.block.penetration);
-            depth[2 * f + 1] =
-              std::max(depth[2 * f + 1], pair.block.relative_penetration);
+                force[side][f * V + a] +=
+                  pair.block
+                    .residual[role * max_facet_components<dim> + a * dim + c] *
+                  w[c] / w.norm();
+            double &d        = depth[side][2 * f];
+            double &relative = depth[side][2 * f + 1];
+            d        = std::max(d, pair.block.penetration);
+            relative = std::max(relative, pair.block.relative_penetration);
           }
-        Utilities::MPI::sum(force, communicator, force);
-        Utilities::MPI::max(depth, communicator, depth);
 
-        // each sweep carries its share of the pressure
+    // Step 2: pressures, from the sums at the vertices.
+    std::vector<FacetState<dim>> states;
+    for (unsigned int side = 0; side < 2; ++side)
+      {
+        Utilities::MPI::sum(force[side], communicator, force[side]);
+        Utilities::MPI::max(depth[side], communicator, depth[side]);
+
+        const ContactSurface<dim> &surface = contact.surface(side);
+        const Skin<dim>           &skin    = surface.skin;
         std::map<unsigned int, std::pair<double, double>> at_vertex;
-        for (unsigned int f = 0; f < n_facets; ++f)
-          for (unsigned int a = 0; a < skin.facets[f].current.n_vertices; ++a)
-            {
-              auto &sums = at_vertex[skin.vertices[f][a]];
-              sums.first += contact.n_sweeps() * force[f * V + a];
-              sums.second += area(skin.facets[f].current) /
-                             skin.facets[f].current.n_vertices;
-            }
-        for (unsigned int f = 0; f < n_facets; ++f)
+        for (unsigned int f = 0; f < skin.facets.size(); ++f)
+          {
+            const Facet<dim> &facet = skin.facets[f].current;
+            for (unsigned int a = 0; a < facet.n_vertices; ++a)
+              {
+                auto &sums = at_vertex[skin.vertices[f][a]];
+                sums.first += force[side][f * V + a];
+                sums.second += area(facet) / facet.n_vertices;
+              }
+          }
+        for (unsigned int f = 0; f < skin.facets.size(); ++f)
           {
             FacetState<dim> state;
             state.current     = skin.facets[f].current;
             state.reference   = skin.facets[f].reference;
-            state.penetration = depth[2 * f];
+            state.penetration = depth[side][2 * f];
             state.relative =
-              depth[2 * f + 1] / contact.parameters.largest_share();
-            state.side  = i;
+              depth[side][2 * f + 1] / contact.parameters.largest_share();
+            state.side  = side;
             state.label = surface.labels[f];
             for (unsigned int a = 0; a < state.current.n_vertices; ++a)
               {

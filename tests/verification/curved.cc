@@ -95,8 +95,10 @@ TEST(Curved, InterferenceFitsOfElasticTubes)
     double      p, u_in, u_out, tolerance;
   };
   const Case cases[] = {
-    // A5a, Ansys VM292: p = E d (c^2-b^2)(b^2-a^2) / (2 b^3 (c^2-a^2))
-    {"1.25", "1.526", "1.506", "1.75", "206e9", "0", 2.21638e8, 0., 0., 0.03},
+    // A5a, Ansys VM292: p = E d (c^2-b^2)(b^2-a^2) / (2 b^3 (c^2-a^2)), 2.21638e8
+    // for d = 0.02; a tenth of it, for with 0.02 the overlapping walls are 4 %
+    // thicker than those of the formula
+    {"1.25", "1.517", "1.515", "1.75", "206e9", "0", 2.21638e7, 0., 0., 0.01},
     // A5b, steel, plane strain
     {"20", "40.025", "39.975", "60", "210000", "0.3", 67.6082, -0.0145089, 0.0354911, 0.01}};
   for (const Case &c : cases)
@@ -172,7 +174,7 @@ TEST(Curved, IncompressibleRingInARigidBore)
                   "Initial penetration = remove over time deep|"
                   "Removal time = 1|Deepest initial penetration = 1.1") +
         probe("in", "inner", "12, 0") + probe("out", "outer", "28, 0") +
-        solver(1e-9, 0.25));
+        solver(1e-8, 0.25));
       EXPECT_NEAR(fourier(*s)[0], exact, 0.005 * exact) << delta;
       EXPECT_NEAR(12. + s->probe(0)[0], a, 0.005 * (12. - a)) << delta;
     }
@@ -193,7 +195,7 @@ TEST(Curved, SphereOnPlaneFollowsHertz)
     body("plane",
          "Lower corner = -1,-1,8|Upper corner = 4,4,9|Cells = 5,5,1",
          linear_steel("1000", "0.3")) +
-    condition("symmetry", "Body = sphere|Boundary ids = 1|x = 0*t|y = 0*t|z = 0*t") +
+    condition("symmetry", "Body = sphere|Boundary ids = 1|Type = symmetry") +
     condition("press", "Body = plane|Boundary ids = 4, 5|x = 0|y = 0|z = -0.13*t") +
     condition("rigid", "Body = plane|Boundary ids = 0, 1, 2, 3|x = 0|y = 0|z = -0.13*t") +
     interface("i",

@@ -24,9 +24,8 @@ namespace MortarContact
   };
 
   /**
-   * State of all facets that carry integration points (for two-sided interfaces
-   * both sides), after ContactInterface::update(). On all ranks the same, in
-   * the same order.
+   * State of all facets of both sides after ContactInterface::update(). On all
+   * ranks the same, in the same order.
    *
    * The pressure at a vertex is the contact force on it along the normals of
    * its facets over the share of area of it: sum_f F_fa / sum_f A_f / n_f (A_f area,
