@@ -11,8 +11,6 @@ main(int argc, char **argv)
   driver.name        = "contact_scene";
   driver.description = "Solids in contact, described by a parameter file.";
   driver.read        = Structure::read_scene;
-  driver.defaults    = []() {
-    return Structure::default_scene("contact_scene");
-  };
+  driver.defaults = []() { return Structure::default_scene("contact_scene"); };
   return Structure::run_driver(driver, argc, argv);
 }

@@ -49,7 +49,10 @@ namespace
                       "0.0",
                       Patterns::Double(0.),
                       "[pressure]; 0: of the hardness, in MPa.");
-    prm.declare_entry("Poisson's ratio", "0.49", Patterns::Double(0., 0.49999), "");
+    prm.declare_entry("Poisson's ratio",
+                      "0.49",
+                      Patterns::Double(0., 0.49999),
+                      "");
     prm.leave_subsection();
     prm.enter_subsection("Seat");
     prm.declare_entry("Radius", "20.0", positive, "Of the bore [length].");
@@ -95,7 +98,7 @@ namespace
   {
     std::vector<unsigned int> result;
     for (const double n : Utilities::string_to_double(
-           Utilities::split_string_list(prm.get("Cells"))))
+             Utilities::split_string_list(prm.get("Cells"))))
       result.push_back(static_cast<unsigned int>(n));
     return result;
   }
@@ -128,16 +131,16 @@ namespace
     seat.name   = "seat";
 
     prm.enter_subsection("Rubber");
-    const double inner = prm.get_double("Inner radius");
-    const double outer = prm.get_double("Outer radius");
-    const double bulge = prm.get_double("Bulge");
-    const double length             = prm.get_double("Length");
-    rubber.mesh.cells               = cells(prm);
-    rubber.material.law             = "Mooney-Rivlin";
-    rubber.material.youngs_modulus  = prm.get_double("Young's modulus");
+    const double inner             = prm.get_double("Inner radius");
+    const double outer             = prm.get_double("Outer radius");
+    const double bulge             = prm.get_double("Bulge");
+    const double length            = prm.get_double("Length");
+    rubber.mesh.cells              = cells(prm);
+    rubber.material.law            = "Mooney-Rivlin";
+    rubber.material.youngs_modulus = prm.get_double("Young's modulus");
     if (rubber.material.youngs_modulus == 0.)
       rubber.material.youngs_modulus =
-        youngs_modulus_of_rubber(prm.get_double("Hardness"));
+          youngs_modulus_of_rubber(prm.get_double("Hardness"));
     rubber.material.poissons_ratio = prm.get_double("Poisson's ratio");
     prm.leave_subsection();
 
@@ -180,7 +183,7 @@ namespace
     seat.mesh.move         = {0., 0., 0.5 * (length - seat_length)};
     scene.bodies           = {rubber, seat};
 
-    using Type = BoundaryCondition::Type;
+    using Type           = BoundaryCondition::Type;
     const auto condition = [&](const std::string                  &name,
                                const std::string                  &body,
                                const std::set<types::boundary_id> &ids,
@@ -193,21 +196,21 @@ namespace
       return c;
     };
     BoundaryCondition bond =
-      condition("shaft", "rubber", {2}, Type::displacement);
+        condition("shaft", "rubber", {2}, Type::displacement);
     bond.values = {{"0",
                     "0",
-                    formula(shaft) + "*max(0,t-" + formula(removal_time) + ")/" +
-                      formula(removal_time)}};
+                    formula(shaft) + "*max(0,t-" + formula(removal_time) +
+                        ")/" + formula(removal_time)}};
     BoundaryCondition housing =
-      condition("housing", "seat", {3}, Type::displacement);
+        condition("housing", "seat", {3}, Type::displacement);
     housing.values   = {{"0", "0", "0"}};
     scene.conditions = {bond, housing};
     if (angle < 360.)
       {
+        scene.conditions.push_back(condition(
+            "symmetry of the rubber", "rubber", {0, 1}, Type::symmetry));
         scene.conditions.push_back(
-          condition("symmetry of the rubber", "rubber", {0, 1}, Type::symmetry));
-        scene.conditions.push_back(
-          condition("symmetry of the seat", "seat", {0, 1}, Type::symmetry));
+            condition("symmetry of the seat", "seat", {0, 1}, Type::symmetry));
       }
 
     InterfaceParameters fit;
@@ -216,8 +219,7 @@ namespace
     fit.primary   = {{"seat", MortarContact::boundary_ids({2})}};
     // The fit decides when the overlap is gone, and how deep it is.
     prm.enter_subsection("Contact");
-    const bool removes =
-      prm.get("Initial penetration").rfind("remove", 0) == 0;
+    const bool removes = prm.get("Initial penetration").rfind("remove", 0) == 0;
     if (removes && prm.get_double("Removal time") == 0.)
       prm.set("Removal time", removal_time);
     if (prm.get("Initial penetration") == "remove over time deep" &&
@@ -250,14 +252,14 @@ namespace
 } // namespace
 
 
-
 int
 main(int argc, char **argv)
 {
   Structure::Driver driver;
-  driver.name        = "rubber_fit";
-  driver.description = "A rubber ring relaxes out of a deep initial overlap with "
-                       "its steel seat.";
+  driver.name = "rubber_fit";
+  driver.description =
+      "A rubber ring relaxes out of a deep initial overlap with "
+      "its steel seat.";
   driver.read     = read_fit;
   driver.defaults = defaults;
   return Structure::run_driver(driver, argc, argv);

@@ -120,7 +120,7 @@ def pressure_picture(folder):
     threshold.SetInputArrayToProcess(
         0, 0, 0, vtk.vtkDataObject.FIELD_ASSOCIATION_POINTS, "side"
     )
-    threshold.SetUpperThreshold(0.5)
+    threshold.SetLowerThreshold(0.5)
     threshold.SetThresholdFunction(vtk.vtkThreshold.THRESHOLD_LOWER)
     threshold.Update()
     rubber = threshold.GetOutput()

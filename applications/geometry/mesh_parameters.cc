@@ -31,10 +31,10 @@ namespace Structure
     Point<dim>
     point_of(const std::vector<double> &list, const std::string &entry)
     {
-      AssertThrow(list.size() == dim,
-                  ExcMessage("'Mesh/" + entry + "' has " +
-                             std::to_string(list.size()) +
-                             " numbers; expected " + std::to_string(dim) + "."));
+      AssertThrow(
+          list.size() == dim,
+          ExcMessage("'Mesh/" + entry + "' has " + std::to_string(list.size()) +
+                     " numbers; expected " + std::to_string(dim) + "."));
       Point<dim> p;
       for (unsigned int i = 0; i < dim; ++i)
         p[i] = list[i];
@@ -77,9 +77,10 @@ namespace Structure
         catch (const std::exception &)
           {
             AssertThrow(false,
-                        ExcMessage("'Mesh/" + entry + "' is '" + text +
-                                   "'; expected a number or a formula in z, phi "
-                                   "and pi."));
+                        ExcMessage(
+                            "'Mesh/" + entry + "' is '" + text +
+                            "'; expected a number or a formula in z, phi "
+                            "and pi."));
           }
       }
 
@@ -101,38 +102,38 @@ namespace Structure
     make_revolution(const MeshParameters &m, Triangulation<dim> &mesh)
     {
       AssertThrow(m.last_angle > m.first_angle &&
-                    m.last_angle - m.first_angle <= 360. + 1e-9,
+                      m.last_angle - m.first_angle <= 360. + 1e-9,
                   ExcMessage("'Mesh/First angle' and 'Mesh/Last angle' span " +
                              std::to_string(m.last_angle - m.first_angle) +
                              " degrees; expected more than 0, at most 360."));
-      const bool closed = m.last_angle - m.first_angle > 360. - 1e-9;
+      const bool          closed = m.last_angle - m.first_angle > 360. - 1e-9;
       const RadiusFormula inner(m.inner_radius, "Inner radius");
       const RadiusFormula outer(m.outer_radius, "Outer radius");
       make_structured_mesh<dim>(
-        cells_of<dim>(m),
-        closed,
-        [&](const Point<dim> &s) {
-          // angles run backwards so that (angle, radius, z) is right-handed
-          const double phi =
-            numbers::PI / 180. *
-            (m.last_angle + s[0] * (m.first_angle - m.last_angle));
-          const double z = (dim == 3) ? s[dim - 1] * m.length : 0.;
-          const double a = inner(z, phi), b = outer(z, phi);
-          AssertThrow(b > a && a > 0.,
-                      ExcMessage("'Mesh/Inner radius' is " + std::to_string(a) +
-                                 " and 'Mesh/Outer radius' is " +
-                                 std::to_string(b) + " at z = " +
-                                 std::to_string(z) +
-                                 "; expected 0 < inner < outer."));
-          const double r = a + s[1] * (b - a);
-          Point<dim>   p;
-          p[0] = r * std::cos(phi);
-          p[1] = r * std::sin(phi);
-          if constexpr (dim == 3)
-            p[2] = z;
-          return p;
-        },
-        mesh);
+          cells_of<dim>(m),
+          closed,
+          [&](const Point<dim> &s) {
+            // angles run backwards so that (angle, radius, z) is right-handed
+            const double phi =
+                numbers::PI / 180. *
+                (m.last_angle + s[0] * (m.first_angle - m.last_angle));
+            const double z = (dim == 3) ? s[dim - 1] * m.length : 0.;
+            const double a = inner(z, phi), b = outer(z, phi);
+            AssertThrow(b > a && a > 0.,
+                        ExcMessage(
+                            "'Mesh/Inner radius' is " + std::to_string(a) +
+                            " and 'Mesh/Outer radius' is " + std::to_string(b) +
+                            " at z = " + std::to_string(z) +
+                            "; expected 0 < inner < outer."));
+            const double r = a + s[1] * (b - a);
+            Point<dim>   p;
+            p[0] = r * std::cos(phi);
+            p[1] = r * std::sin(phi);
+            if constexpr (dim == 3)
+              p[2] = z;
+            return p;
+          },
+          mesh);
       // new vertices of refined cells go on circles around the axis
       if constexpr (dim == 2)
         mesh.set_manifold(1, PolarManifold<2>());
@@ -166,15 +167,15 @@ namespace Structure
       catch (const std::exception &e)
         {
           AssertThrow(false,
-                      ExcMessage("'Mesh/File' is '" + m.file +
-                                 "'; expected a readable mesh of dimension " +
-                                 std::to_string(dim) +
-                                 ": gmsh (.msh, ASCII 2 or 4), Abaqus (.inp) or "
-                                 "VTK (.vtk)."));
+                      ExcMessage(
+                          "'Mesh/File' is '" + m.file +
+                          "'; expected a readable mesh of dimension " +
+                          std::to_string(dim) +
+                          ": gmsh (.msh, ASCII 2 or 4), Abaqus (.inp) or "
+                          "VTK (.vtk)."));
         }
     }
   } // namespace
-
 
 
   void
@@ -182,23 +183,29 @@ namespace Structure
   {
     const Patterns::List doubles(Patterns::Double(), 0, 3);
     prm.declare_entry(
-      "Type",
-      "box",
-      Patterns::Selection("box|revolution|ball|ball sector|cylinder|file"),
-      "box: Lower and Upper corner, Cells; boundary ids 0 1 at low and high x, 2 "
-      "3 at y, 4 5 at z. revolution: ring around z from Inner to Outer radius, z "
-      "from 0 to Length, Cells around, across and along; ids 0 1 at Last and "
-      "First angle (none if closed), 2 inside, 3 outside, 4 5 at the ends. ball: "
-      "Radius, id 0. ball sector: the part with x, y(, z) > 0; id 0 outside, 1 "
-      "on the planes. cylinder: Radius, from -Length/2 to Length/2 along z; ids "
-      "0 outside, 1 2 at the ends. file: gmsh .msh, Abaqus .inp, .vtk.");
+        "Type",
+        "box",
+        Patterns::Selection("box|revolution|ball|ball sector|cylinder|file"),
+        "box: Lower and Upper corner, Cells; boundary ids 0 1 at low and high x, 2 "
+        "3 at y, 4 5 at z. revolution: ring around z from Inner to Outer radius, z "
+        "from 0 to Length, Cells around, across and along; ids 0 1 at Last and "
+        "First angle (none if closed), 2 inside, 3 outside, 4 5 at the ends. ball: "
+        "Radius, id 0. ball sector: the part with x, y(, z) > 0; id 0 outside, 1 "
+        "on the planes. cylinder: Radius, from -Length/2 to Length/2 along z; ids "
+        "0 outside, 1 2 at the ends. file: gmsh .msh, Abaqus .inp, .vtk.");
     prm.declare_entry("File", "", Patterns::Anything(), "Mesh file.");
     prm.declare_entry("Scale",
                       "1.0",
                       Patterns::Double(1e-300),
                       "Factor on the coordinates of a file [-].");
-    prm.declare_entry("Lower corner", "0, 0, 0", doubles, "Of the box [length].");
-    prm.declare_entry("Upper corner", "1, 1, 1", doubles, "Of the box [length].");
+    prm.declare_entry("Lower corner",
+                      "0, 0, 0",
+                      doubles,
+                      "Of the box [length].");
+    prm.declare_entry("Upper corner",
+                      "1, 1, 1",
+                      doubles,
+                      "Of the box [length].");
     prm.declare_entry("Cells",
                       "1, 1, 1",
                       Patterns::List(Patterns::Integer(0), 1, 3),
@@ -242,11 +249,12 @@ namespace Structure
                       "false",
                       Patterns::Bool(),
                       "Split the cells into tetrahedra (triangles).");
-    prm.declare_entry("Distortion",
-                      "0.0",
-                      Patterns::Double(0., 0.4),
-                      "Random motion of inner vertices, for boxes also of those "
-                      "on faces along the faces, over the cell size [-].");
+    prm.declare_entry(
+        "Distortion",
+        "0.0",
+        Patterns::Double(0., 0.4),
+        "Random motion of inner vertices, for boxes also of those "
+        "on faces along the faces, over the cell size [-].");
     prm.declare_entry("Rotation axis",
                       "0, 0, 1",
                       doubles,
@@ -257,7 +265,6 @@ namespace Structure
                       "About the axis (3d), the origin (2d) [degree].");
     prm.declare_entry("Move", "", doubles, "Shift after rotation [length].");
   }
-
 
 
   void
@@ -296,7 +303,6 @@ namespace Structure
   }
 
 
-
   template <int dim>
   void
   make_mesh(const MeshParameters &m, Triangulation<dim> &mesh)
@@ -308,28 +314,29 @@ namespace Structure
         const Point<dim> high = point_of<dim>(m.upper, "Upper corner");
         for (unsigned int i = 0; i < dim; ++i)
           AssertThrow(high[i] > low[i],
-                      ExcMessage("'Mesh/Upper corner' is not beyond 'Mesh/Lower "
-                                 "corner' in direction " +
-                                 std::string(1, "xyz"[i]) + "."));
+                      ExcMessage(
+                          "'Mesh/Upper corner' is not beyond 'Mesh/Lower "
+                          "corner' in direction " +
+                          std::string(1, "xyz"[i]) + "."));
         const std::array<unsigned int, dim> n = cells_of<dim>(m);
         std::mt19937                        random(1);
         make_structured_mesh<dim>(
-          n,
-          false,
-          [&](const Point<dim> &s) {
-            Point<dim> p;
-            for (unsigned int i = 0; i < dim; ++i)
-              {
-                // vertices on faces, edges, corners stay there
-                const bool   stays = s[i] == 0. || s[i] == 1.;
-                const double share = random() / double(random.max()) - 0.5;
-                const double moved =
-                  s[i] + (stays ? 0. : 2. * m.distortion * share / n[i]);
-                p[i] = low[i] + moved * (high[i] - low[i]);
-              }
-            return p;
-          },
-          mesh);
+            n,
+            false,
+            [&](const Point<dim> &s) {
+              Point<dim> p;
+              for (unsigned int i = 0; i < dim; ++i)
+                {
+                  // vertices on faces, edges, corners stay there
+                  const bool   stays = s[i] == 0. || s[i] == 1.;
+                  const double share = random() / double(random.max()) - 0.5;
+                  const double moved =
+                      s[i] + (stays ? 0. : 2. * m.distortion * share / n[i]);
+                  p[i] = low[i] + moved * (high[i] - low[i]);
+                }
+              return p;
+            },
+            mesh);
       }
     else if (m.type == "revolution")
       make_revolution(m, mesh);
@@ -340,14 +347,17 @@ namespace Structure
     else if (m.type == "cylinder")
       {
         AssertThrow(dim == 3,
-                    ExcMessage("'Mesh/Type' is 'cylinder' but 'Dimension' is 2; "
-                               "a disc is a 'ball' there."));
+                    ExcMessage(
+                        "'Mesh/Type' is 'cylinder' but 'Dimension' is 2; "
+                        "a disc is a 'ball' there."));
         if constexpr (dim == 3)
           {
             GridGenerator::cylinder(mesh, m.radius, 0.5 * m.length);
             // deal.II's axis is x
             mesh.reset_all_manifolds();
-            GridTools::rotate(Point<3>::unit_vector(1), -0.5 * numbers::PI, mesh);
+            GridTools::rotate(Point<3>::unit_vector(1),
+                              -0.5 * numbers::PI,
+                              mesh);
             mesh.set_manifold(0, CylindricalManifold<3>(2));
             mesh.set_all_manifold_ids_on_boundary(0, 0);
           }
@@ -398,11 +408,13 @@ namespace Structure
             else
               {
                 const Point<dim> axis =
-                  point_of<dim>(m.rotation_axis, "Rotation axis");
+                    point_of<dim>(m.rotation_axis, "Rotation axis");
                 AssertThrow(axis.norm() > 0.,
                             ExcMessage("'Mesh/Rotation axis' is 0, 0, 0; "
                                        "expected a direction."));
-                GridTools::rotate(Tensor<1, 3>(axis / axis.norm()), angle, mesh);
+                GridTools::rotate(Tensor<1, 3>(axis / axis.norm()),
+                                  angle,
+                                  mesh);
               }
           }
         if (!m.move.empty())
@@ -411,7 +423,8 @@ namespace Structure
   }
 
 
-
-  template void make_mesh(const MeshParameters &, Triangulation<2> &);
-  template void make_mesh(const MeshParameters &, Triangulation<3> &);
+  template void
+  make_mesh(const MeshParameters &, Triangulation<2> &);
+  template void
+  make_mesh(const MeshParameters &, Triangulation<3> &);
 } // namespace Structure

@@ -27,21 +27,22 @@ namespace Structure
     read(ParameterHandler &prm);
 
     std::string type = "box";
-    std::string file; ///< For type file, absolute or from the working directory.
-    double      scale = 1.;
+    std::string
+           file; ///< For type file, absolute or from the working directory.
+    double scale = 1.;
     std::vector<double>       lower, upper; ///< Box
     std::vector<unsigned int> cells;
-    std::string               inner_radius, outer_radius; ///< Formulas of z, phi
-    double                    radius = 1., length = 1.;
-    double                    first_angle = 0., last_angle = 360.; ///< [deg]
-    unsigned int              refinements = 0;
-    std::vector<double>       refine_near;
-    double                    refine_radius = 0.;
-    unsigned int              local_refinements = 0;
-    bool                      simplices         = false;
-    double                    distortion        = 0.;
-    std::vector<double>       rotation_axis, move;
-    double                    rotation_angle = 0.; ///< [deg]
+    std::string         inner_radius, outer_radius; ///< Formulas of z, phi
+    double              radius = 1., length = 1.;
+    double              first_angle = 0., last_angle = 360.; ///< [deg]
+    unsigned int        refinements = 0;
+    std::vector<double> refine_near;
+    double              refine_radius     = 0.;
+    unsigned int        local_refinements = 0;
+    bool                simplices         = false;
+    double              distortion        = 0.;
+    std::vector<double> rotation_axis, move;
+    double              rotation_angle = 0.; ///< [deg]
   };
 
   /// Make the mesh. @throw ExcMessage on settings that make no mesh.

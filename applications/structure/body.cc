@@ -41,42 +41,44 @@ namespace Structure
         if (high[i] - low[i] > high[axis] - low[axis])
           axis = i;
 
-      std::vector<std::pair<double, typename Triangulation<dim>::active_cell_iterator>>
-        cells;
+      std::vector<
+          std::pair<double, typename Triangulation<dim>::active_cell_iterator>>
+          cells;
       for (const auto &cell : tria.active_cell_iterators())
         cells.emplace_back(cell->center()[axis], cell);
-      std::stable_sort(cells.begin(), cells.end(), [](const auto &a, const auto &b) {
-        return a.first < b.first;
-      });
+      std::stable_sort(cells.begin(),
+                       cells.end(),
+                       [](const auto &a, const auto &b) {
+                         return a.first < b.first;
+                       });
       for (std::size_t i = 0; i < cells.size(); ++i)
         cells[i].second->set_subdomain_id(i * n_ranks / cells.size());
     }
   } // namespace
 
 
-
   template <int dim>
-  Body<dim>::Body(const std::string         &name,
-                  const Triangulation<dim>  &mesh,
-                  std::unique_ptr<Material>  material,
-                  const unsigned int         degree,
-                  const bool                 mean_dilatation,
-                  const MPI_Comm             communicator)
+  Body<dim>::Body(const std::string        &name,
+                  const Triangulation<dim> &mesh,
+                  std::unique_ptr<Material> material,
+                  const unsigned int        degree,
+                  const bool                mean_dilatation,
+                  const MPI_Comm            communicator)
     : name(name)
     , material(std::move(material))
     , mean_dilatation(mean_dilatation)
     , triangulation(
-        communicator,
-        Triangulation<dim>::none,
-        false,
-        parallel::shared::Triangulation<dim>::partition_custom_signal)
+          communicator,
+          Triangulation<dim>::none,
+          false,
+          parallel::shared::Triangulation<dim>::partition_custom_signal)
     , dof_handler(triangulation)
   {
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
-    for (auto *signal :
-         {&triangulation.signals.create, &triangulation.signals.post_refinement})
+    for (auto *signal : {&triangulation.signals.create,
+                         &triangulation.signals.post_refinement})
       signal->connect(
-        [this, n_ranks]() { partition_in_slices(triangulation, n_ranks); });
+          [this, n_ranks]() { partition_in_slices(triangulation, n_ranks); });
     triangulation.copy_triangulation(mesh);
 
     const bool simplices = triangulation.all_reference_cells_are_simplex();
@@ -98,14 +100,13 @@ namespace Structure
       }
     else
       {
-        mapping         = std::make_unique<MappingQ<dim>>(degree);
-        fe              = std::make_unique<FESystem<dim>>(FE_Q<dim>(degree), dim);
-        quadrature      = std::make_unique<QGauss<dim>>(degree + 1);
+        mapping    = std::make_unique<MappingQ<dim>>(degree);
+        fe         = std::make_unique<FESystem<dim>>(FE_Q<dim>(degree), dim);
+        quadrature = std::make_unique<QGauss<dim>>(degree + 1);
         face_quadrature = std::make_unique<QGauss<dim - 1>>(degree + 1);
       }
     dof_handler.distribute_dofs(*fe);
   }
-
 
 
   template class Body<2>;

@@ -37,23 +37,23 @@ namespace Structure
      * @param mean_dilatation Replace J by the cell's mean in the volumetric
      *               energy (Q1P0): no locking for nearly incompressible solids.
      */
-    Body(const std::string         &name,
-         const Triangulation<dim>  &mesh,
-         std::unique_ptr<Material>  material,
-         const unsigned int         degree,
-         const bool                 mean_dilatation,
-         const MPI_Comm             communicator);
+    Body(const std::string        &name,
+         const Triangulation<dim> &mesh,
+         std::unique_ptr<Material> material,
+         const unsigned int        degree,
+         const bool                mean_dilatation,
+         const MPI_Comm            communicator);
 
-    const std::string                       name;
-    const std::unique_ptr<Material>         material;
-    const bool                              mean_dilatation;
-    parallel::shared::Triangulation<dim>    triangulation;
-    std::unique_ptr<Mapping<dim>>           mapping;
-    std::unique_ptr<FESystem<dim>>          fe;
-    std::unique_ptr<Quadrature<dim>>        quadrature;
-    std::unique_ptr<Quadrature<dim - 1>>    face_quadrature;
-    DoFHandler<dim>                         dof_handler;
-    MortarContact::DoFNumbering             numbering; ///< Set by the model.
+    const std::string                    name;
+    const std::unique_ptr<Material>      material;
+    const bool                           mean_dilatation;
+    parallel::shared::Triangulation<dim> triangulation;
+    std::unique_ptr<Mapping<dim>>        mapping;
+    std::unique_ptr<FESystem<dim>>       fe;
+    std::unique_ptr<Quadrature<dim>>     quadrature;
+    std::unique_ptr<Quadrature<dim - 1>> face_quadrature;
+    DoFHandler<dim>                      dof_handler;
+    MortarContact::DoFNumbering          numbering; ///< Set by the model.
 
     /// Dead load per undeformed volume, expressions of x, y, z, t; empty: none.
     std::string body_force;

@@ -41,6 +41,7 @@ namespace Structure
       simulation.setup();
       if (check_only)
         {
+          simulation.report_setup();
           log.line("The scene is complete; not solved (--check).");
           return finished;
         }
@@ -51,7 +52,6 @@ namespace Structure
   } // namespace
 
 
-
   int
   run_driver(const Driver &driver, int argc, char **argv)
   {
@@ -60,18 +60,19 @@ namespace Structure
     Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
     const bool is_root = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
 
-    CLI::App                 app(driver.description, driver.name);
-    SceneSource              source;
-    std::string              output, restart;
-    bool                     print = false, check = false, quiet = false;
+    CLI::App    app(driver.description, driver.name);
+    SceneSource source;
+    std::string output, restart;
+    bool        print = false, check = false, quiet = false;
     source.driver = driver.name;
     app.add_option("FILE", source.file, "Parameter file (.prm)");
-    app.add_option("--set",
-                   source.settings,
-                   "\"Section/Sub section/Entry=value\", after the file; may be "
-                   "given several times")
-      ->expected(1)
-      ->take_all();
+    app.add_option(
+           "--set",
+           source.settings,
+           "\"Section/Sub section/Entry=value\", after the file; may be "
+           "given several times")
+        ->expected(1)
+        ->take_all();
     app.add_option("--output", output, "Folder for the results");
     app.add_option("--restart", restart, "Continue the run in this folder");
     app.add_flag("--print-parameters", print, "Print the annotated defaults");
@@ -111,9 +112,9 @@ namespace Structure
         log.line(driver.name + " " + source.file);
 
         const ExitCode code =
-          (scene.dimension == 2) ?
-            run_scene<2>(scene, used, restart, check, log) :
-            run_scene<3>(scene, used, restart, check, log);
+            (scene.dimension == 2) ?
+                run_scene<2>(scene, used, restart, check, log) :
+                run_scene<3>(scene, used, restart, check, log);
         if (code == finished && !check && driver.finish)
           driver.finish(scene.output.directory, MPI_COMM_WORLD);
         return code;

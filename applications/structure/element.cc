@@ -14,7 +14,6 @@ namespace Structure
   }
 
 
-
   template <int dim>
   Tensor<2, 3>
   deformation_gradient(const FEValuesBase<dim>         &fe_values,
@@ -35,7 +34,6 @@ namespace Structure
   }
 
 
-
   template <int dim>
   Element<dim>::Element(const Body<dim> &body)
     : body(body)
@@ -48,15 +46,14 @@ namespace Structure
   {}
 
 
-
   template <int dim>
   bool
   Element<dim>::evaluate(
-    const typename DoFHandler<dim>::active_cell_iterator &cell,
-    const Vector<double>                                 &u,
-    const bool                                            with_tangent,
-    Vector<double>                                       &forces,
-    FullMatrix<double>                                   &tangent)
+      const typename DoFHandler<dim>::active_cell_iterator &cell,
+      const Vector<double>                                 &u,
+      const bool                                            with_tangent,
+      Vector<double>                                       &forces,
+      FullMatrix<double>                                   &tangent)
   {
     fe_values.reinit(cell);
     const unsigned int n        = component.size();
@@ -70,7 +67,7 @@ namespace Structure
 
     for (unsigned int q = 0; q < F.size(); ++q)
       {
-        F[q] = deformation_gradient<dim>(fe_values, component, u, q);
+        F[q]           = deformation_gradient<dim>(fe_values, component, u, q);
         const double J = determinant(F[q]);
         // written so that NaN is refused
         if (!(J > 0.) && !material.is_linear)
@@ -97,7 +94,7 @@ namespace Structure
           {
             // stress J p F^-T with the cell's pressure p, and its derivative
             // at fixed p; that of p follows below
-            r                    = material.isochoric(F[q]);
+            r = material.isochoric(F[q]);
             cell_state.energy += r.energy * w;
             const Tensor<2, 3> H = transpose(invert(F[q]));
             const double       p = volumetric.pressure;
@@ -108,7 +105,7 @@ namespace Structure
                   for (unsigned int k = 0; k < 3; ++k)
                     for (unsigned int L = 0; L < 3; ++L)
                       r.A[i][K][k][L] +=
-                        J * p * (H[i][K] * H[k][L] - H[i][L] * H[k][K]);
+                          J * p * (H[i][K] * H[k][L] - H[i][L] * H[k][K]);
             for (unsigned int a = 0; a < n; ++a)
               {
                 const Tensor<1, dim> g = fe_values.shape_grad(a, q);
@@ -123,7 +120,7 @@ namespace Structure
           }
 
         const Tensor<2, 3> tau =
-          material.is_linear ? r.P : Tensor<2, 3>(r.P * transpose(F[q]) / J);
+            material.is_linear ? r.P : Tensor<2, 3>(r.P * transpose(F[q]) / J);
         cell_state.stress += w / volume * symmetrize(tau);
 
         for (unsigned int a = 0; a < n; ++a)
@@ -170,11 +167,12 @@ namespace Structure
   }
 
 
-
   template class Element<2>;
   template class Element<3>;
-  template std::vector<unsigned int> components_of(const FiniteElement<2> &);
-  template std::vector<unsigned int> components_of(const FiniteElement<3> &);
+  template std::vector<unsigned int>
+  components_of(const FiniteElement<2> &);
+  template std::vector<unsigned int>
+  components_of(const FiniteElement<3> &);
   template Tensor<2, 3>
   deformation_gradient(const FEValuesBase<2> &,
                        const std::vector<unsigned int> &,

@@ -16,9 +16,9 @@ namespace Structure
   /// Means over one cell, for output.
   struct CellState
   {
-    SymmetricTensor<2, 3> stress;      ///< Cauchy [Pa]
+    SymmetricTensor<2, 3> stress;            ///< Cauchy [Pa]
     double                volume_ratio = 1.; ///< J
-    double                energy = 0.; ///< Strain energy of the cell [J]
+    double                energy       = 0.; ///< Strain energy of the cell [J]
   };
 
   /**
@@ -38,9 +38,9 @@ namespace Structure
     bool
     evaluate(const typename DoFHandler<dim>::active_cell_iterator &cell,
              const Vector<double>                                 &u,
-             const bool          with_tangent,
-             Vector<double>     &forces,
-             FullMatrix<double> &tangent);
+             const bool                                            with_tangent,
+             Vector<double>                                       &forces,
+             FullMatrix<double>                                   &tangent);
 
     /// Means of the cell of the last evaluate().
     const CellState &
@@ -50,11 +50,11 @@ namespace Structure
     }
 
   private:
-    const Body<dim>                &body;
-    FEValues<dim>                   fe_values;
-    std::vector<unsigned int>       component; ///< By dof of the cell.
-    CellState                       cell_state;
-    std::vector<Tensor<2, 3>>       F;
+    const Body<dim>          &body;
+    FEValues<dim>             fe_values;
+    std::vector<unsigned int> component; ///< By dof of the cell.
+    CellState                 cell_state;
+    std::vector<Tensor<2, 3>> F;
   };
 
   /// F at a point: I + sum_a u_a grad N_a, in plane strain for dim = 2.

@@ -23,9 +23,9 @@ namespace Structure
       try
         {
           function->initialize((dim == 2) ? "x,y,t" : "x,y,z,t",
-                              text,
-                              {{"pi", numbers::PI}},
-                              true);
+                               text,
+                               {{"pi", numbers::PI}},
+                               true);
           (void)value(Point<dim>(), 0.);
         }
       catch (const std::exception &)

@@ -19,7 +19,8 @@ namespace Structure
     solve_direct(const Matrix_t &matrix, const Vector_t &rhs, Vector_t &x)
     {
       SolverControl                                  control(1, 0.);
-      TrilinosWrappers::SolverDirect::AdditionalData data(false, "Amesos_Mumps");
+      TrilinosWrappers::SolverDirect::AdditionalData data(false,
+                                                          "Amesos_Mumps");
       TrilinosWrappers::SolverDirect                 solver(control, data);
       try
         {
@@ -34,7 +35,6 @@ namespace Structure
   } // namespace
 
 
-
   void
   LinearSolverParameters::declare(ParameterHandler &prm)
   {
@@ -43,11 +43,12 @@ namespace Structure
                       Patterns::Selection("automatic|direct|iterative"),
                       "direct: MUMPS. iterative: CG or GMRES with algebraic "
                       "multigrid. automatic: direct up to the limit below.");
-    prm.declare_entry("Direct up to",
-                      "60000",
-                      Patterns::Integer(0),
-                      "Unknowns up to which automatic means direct in 3d; in 2d "
-                      "ten times as many [-].");
+    prm.declare_entry(
+        "Direct up to",
+        "60000",
+        Patterns::Integer(0),
+        "Unknowns up to which automatic means direct in 3d; in 2d "
+        "ten times as many [-].");
     prm.declare_entry("Tolerance",
                       "1e-10",
                       Patterns::Double(1e-15, 1e-1),
@@ -57,7 +58,6 @@ namespace Structure
                       Patterns::Integer(1),
                       "Then the direct solver takes over [-].");
   }
-
 
 
   void
@@ -70,7 +70,6 @@ namespace Structure
   }
 
 
-
   template <int dim>
   LinearSolve
   solve_linear(const Model<dim>             &model,
@@ -79,9 +78,9 @@ namespace Structure
   {
     LinearSolve result;
     const bool  iterative =
-      parameters.type == "iterative" ||
-      (parameters.type == "automatic" &&
-       model.n_dofs() > parameters.direct_limit * (dim == 2 ? 10. : 1.));
+        parameters.type == "iterative" ||
+        (parameters.type == "automatic" &&
+         model.n_dofs() > parameters.direct_limit * (dim == 2 ? 10. : 1.));
     if (iterative)
       {
         TrilinosWrappers::PreconditionAMG                 amg;
@@ -94,7 +93,7 @@ namespace Structure
         data.set_parameters(list, modes, model.matrix);
         const auto rigid = model.rigid_body_modes();
         modes            = std::make_unique<Epetra_MultiVector>(
-          model.matrix.trilinos_matrix().DomainMap(), rigid.size());
+            model.matrix.trilinos_matrix().DomainMap(), rigid.size());
         for (unsigned int m = 0; m < rigid.size(); ++m)
           for (unsigned int i = 0; i < rigid[m].size(); ++i)
             (*modes)[m][i] = rigid[m][i];
@@ -110,11 +109,14 @@ namespace Structure
           {
             x = 0.;
             if (model.is_symmetric)
-              SolverCG<Vector_t>(control).solve(model.matrix, x, model.rhs, amg);
+              SolverCG<Vector_t>(control).solve(model.matrix,
+                                                x,
+                                                model.rhs,
+                                                amg);
             else
-              SolverGMRES<Vector_t>(
-                control, SolverGMRES<Vector_t>::AdditionalData(100))
-                .solve(model.matrix, x, model.rhs, amg);
+              SolverGMRES<Vector_t>(control,
+                                    SolverGMRES<Vector_t>::AdditionalData(100))
+                  .solve(model.matrix, x, model.rhs, amg);
             result.converged  = std::isfinite(x.l2_norm());
             result.iterations = control.last_step();
           }
@@ -126,11 +128,10 @@ namespace Structure
           return result;
       }
     result.method =
-      iterative ? result.method + " failed, MUMPS" : std::string("MUMPS");
+        iterative ? result.method + " failed, MUMPS" : std::string("MUMPS");
     result.converged = solve_direct(model.matrix, model.rhs, x);
     return result;
   }
-
 
 
   template LinearSolve

@@ -19,9 +19,9 @@ namespace Structure
     void
     read(ParameterHandler &prm);
 
-    std::string  type         = "automatic";
-    unsigned int direct_limit = 60000; ///< dofs, for automatic in 3d
-    double       tolerance    = 1e-10; ///< Relative residual.
+    std::string  type           = "automatic";
+    unsigned int direct_limit   = 60000; ///< dofs, for automatic in 3d
+    double       tolerance      = 1e-10; ///< Relative residual.
     unsigned int max_iterations = 2000;
   };
 
@@ -34,8 +34,8 @@ namespace Structure
   };
 
   /**
-   * Solve matrix x = rhs: directly by MUMPS, or by CG (symmetric models) or GMRES
-   * with algebraic multigrid that knows the rigid body motions. When an
+   * Solve matrix x = rhs: directly by MUMPS, or by CG (symmetric models) or
+   * GMRES with algebraic multigrid that knows the rigid body motions. When an
    * iterative method fails, the direct one takes over.
    */
   template <int dim>

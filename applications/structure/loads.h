@@ -85,14 +85,13 @@ namespace Structure
     std::vector<Node>            nodes;
     std::vector<Expression<dim>> formulas;
     std::vector<std::vector<std::pair<types::global_dof_index, unsigned int>>>
-      by_condition;
+        by_condition;
 
     void
-    add_line(const Node                &node,
+    add_line(const Node                                    &node,
              std::vector<std::pair<Tensor<1, dim>, double>> rows,
-             AffineConstraints<double> &constraints) const;
+             AffineConstraints<double>                     &constraints) const;
   };
-
 
 
   template <int dim>
@@ -107,8 +106,9 @@ namespace Structure
         std::vector<std::pair<Tensor<1, dim>, double>> rows;
         for (const Row &row : node.rows)
           {
-            double b =
-              (row.formula < 0) ? 0. : formulas[row.formula].value(node.x, time);
+            double b = (row.formula < 0) ?
+                           0. :
+                           formulas[row.formula].value(node.x, time);
             for (unsigned int i = 0; i < dim; ++i)
               if (row.a[i] != 0.)
                 b -= row.a[i] * value(node.dofs[i]);

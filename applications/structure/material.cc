@@ -33,7 +33,6 @@ namespace Structure
     }
 
 
-
     /// Hooke's law in the small strain, sym(F - I).
     class LinearElastic : public Material
     {
@@ -41,8 +40,8 @@ namespace Structure
       StressResponse
       evaluate(const Tensor<2, 3> &F) const override
       {
-        const double   lambda = bulk_modulus - 2. / 3. * shear_modulus;
-        Tensor<2, 3>   strain = 0.5 * (F + transpose(F));
+        const double lambda = bulk_modulus - 2. / 3. * shear_modulus;
+        Tensor<2, 3> strain = 0.5 * (F + transpose(F));
         for (unsigned int i = 0; i < 3; ++i)
           strain[i][i] -= 1.;
         StressResponse r;
@@ -53,12 +52,11 @@ namespace Structure
         r.A      = fourth_order([&](auto i, auto J, auto k, auto L) {
           return lambda * delta(i, J) * delta(k, L) +
                  shear_modulus *
-                   (delta(i, k) * delta(J, L) + delta(i, L) * delta(J, k));
+                     (delta(i, k) * delta(J, L) + delta(i, L) * delta(J, k));
         });
         return r;
       }
     };
-
 
 
     /// W = lambda/2 tr(E)^2 + mu E:E with Green's strain E.
@@ -90,7 +88,6 @@ namespace Structure
     };
 
 
-
     /// W = mu/2 (I1 - 3 - 2 ln J) + lambda/2 (ln J)^2.
     class NeoHookean : public Material
     {
@@ -114,7 +111,6 @@ namespace Structure
         return r;
       }
     };
-
 
 
     /**
@@ -213,14 +209,12 @@ namespace Structure
   } // namespace
 
 
-
   StressResponse
   Material::isochoric(const Tensor<2, 3> &) const
   {
     AssertThrow(false, ExcInternalError());
     return {};
   }
-
 
 
   VolumetricResponse
@@ -231,16 +225,15 @@ namespace Structure
   }
 
 
-
   void
   MaterialParameters::declare(ParameterHandler &prm)
   {
     prm.declare_entry(
-      "Law",
-      "neo-Hookean",
-      Patterns::Selection(
-        "linear elastic|St Venant-Kirchhoff|neo-Hookean|Mooney-Rivlin"),
-      "Hyperelastic law; linear elastic means small strains.");
+        "Law",
+        "neo-Hookean",
+        Patterns::Selection(
+            "linear elastic|St Venant-Kirchhoff|neo-Hookean|Mooney-Rivlin"),
+        "Hyperelastic law; linear elastic means small strains.");
     prm.declare_entry("Young's modulus",
                       "0.0",
                       Patterns::Double(0.),
@@ -249,11 +242,12 @@ namespace Structure
                       "0.3",
                       Patterns::Double(-0.999, 0.499999),
                       "nu [-].");
-    prm.declare_entry("C10",
-                      "0.0",
-                      Patterns::Double(0.),
-                      "First constant of Mooney-Rivlin [pressure]; 0: E/(4 (1 + "
-                      "nu)), neo-Hookean rubber.");
+    prm.declare_entry(
+        "C10",
+        "0.0",
+        Patterns::Double(0.),
+        "First constant of Mooney-Rivlin [pressure]; 0: E/(4 (1 + "
+        "nu)), neo-Hookean rubber.");
     prm.declare_entry("C01",
                       "0.0",
                       Patterns::Double(0.),
@@ -263,7 +257,6 @@ namespace Structure
                       Patterns::Double(0.),
                       "Undeformed density [mass/volume]; for body forces.");
   }
-
 
 
   void
@@ -278,15 +271,14 @@ namespace Structure
     AssertThrow(youngs_modulus > 0. || C10 > 0.,
                 ExcMessage("'Young's modulus' is 0" +
                            std::string(law == "Mooney-Rivlin" ?
-                                         " and so is 'C10'" :
-                                         "") +
+                                           " and so is 'C10'" :
+                                           "") +
                            "; expected a positive pressure."));
     AssertThrow(law == "Mooney-Rivlin" || (C10 == 0. && C01 == 0.),
                 ExcMessage("'C10' or 'C01' is set but 'Law' is '" + law +
                            "'; they belong to Mooney-Rivlin. Remove one of "
                            "them."));
   }
-
 
 
   std::unique_ptr<Material>
@@ -311,14 +303,13 @@ namespace Structure
       }
     else
       material = std::make_unique<MooneyRivlin>(0.5 * mu, 0.);
-    material->shear_modulus   = mu;
-    material->bulk_modulus    = 2. * mu * (1. + nu) / (3. * (1. - 2. * nu));
-    material->density         = density;
+    material->shear_modulus = mu;
+    material->bulk_modulus  = 2. * mu * (1. + nu) / (3. * (1. - 2. * nu));
+    material->density       = density;
     material->contact_modulus =
-      MortarContact::bulk_contact_modulus(2. * mu * (1. + nu), nu);
+        MortarContact::bulk_contact_modulus(2. * mu * (1. + nu), nu);
     return material;
   }
-
 
 
   double

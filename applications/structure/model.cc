@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace Structure
 {
@@ -18,7 +19,6 @@ namespace Structure
     : communicator(communicator)
     , timer(timer)
   {}
-
 
 
   template <int dim>
@@ -33,7 +33,6 @@ namespace Structure
   }
 
 
-
   template <int dim>
   void
   Model<dim>::number_dofs()
@@ -46,15 +45,15 @@ namespace Structure
     for (const auto &b : bodies)
       {
         counts.push_back(
-          Utilities::MPI::all_gather(communicator,
-                                     b->dof_handler.n_locally_owned_dofs()));
+            Utilities::MPI::all_gather(communicator,
+                                       b->dof_handler.n_locally_owned_dofs()));
         total_dofs += b->dof_handler.n_dofs();
       }
 
     owned.clear();
     owned.set_size(total_dofs);
     std::vector<std::vector<types::global_dof_index>> firsts(bodies.size()),
-      targets(bodies.size());
+        targets(bodies.size());
     std::vector<types::global_dof_index> next(bodies.size(), 0);
     types::global_dof_index              target = 0;
     for (unsigned int r = 0; r < n_ranks; ++r)
@@ -76,7 +75,8 @@ namespace Structure
     std::vector<types::global_dof_index> dofs;
     for (unsigned int b = 0; b < bodies.size(); ++b)
       {
-        bodies[b]->numbering = MortarContact::DoFNumbering(firsts[b], targets[b]);
+        bodies[b]->numbering =
+            MortarContact::DoFNumbering(firsts[b], targets[b]);
         dofs.resize(bodies[b]->fe->n_dofs_per_cell());
         for (const auto &cell : bodies[b]->dof_handler.active_cell_iterators())
           if (cell->is_locally_owned())
@@ -88,7 +88,6 @@ namespace Structure
       }
     relevant.compress();
   }
-
 
 
   template <int dim>
@@ -123,14 +122,14 @@ namespace Structure
     for (const auto &b : bodies)
       if (!b->body_force.empty())
         {
-          Load load{nullptr, b.get(), {}, {}};
+          Load                           load{nullptr, b.get(), {}, {}};
           const std::vector<std::string> components =
-            Utilities::split_string_list(b->body_force, ";");
+              Utilities::split_string_list(b->body_force, ";");
           AssertThrow(components.size() == dim,
-                      ExcMessage("'Bodies/" + b->name +
-                                 "/Body force' has " +
+                      ExcMessage("'Bodies/" + b->name + "/Body force' has " +
                                  std::to_string(components.size()) +
-                                 " components; expected " + std::to_string(dim) +
+                                 " components; expected " +
+                                 std::to_string(dim) +
                                  ", separated by semicolons."));
           for (unsigned int i = 0; i < dim; ++i)
             {
@@ -183,14 +182,12 @@ namespace Structure
   }
 
 
-
   template <int dim>
   Vector_t
   Model<dim>::make_vector() const
   {
     return Vector_t(owned, communicator);
   }
-
 
 
   template <int dim>
@@ -203,15 +200,14 @@ namespace Structure
   }
 
 
-
   template <int dim>
   void
   Model<dim>::cell_values(
-    const Body<dim>                                      &body,
-    const typename DoFHandler<dim>::active_cell_iterator &cell,
-    const Vector_t                                       &ghosted,
-    Vector<double>                                       &values,
-    std::vector<types::global_dof_index>                 &dofs) const
+      const Body<dim>                                      &body,
+      const typename DoFHandler<dim>::active_cell_iterator &cell,
+      const Vector_t                                       &ghosted,
+      Vector<double>                                       &values,
+      std::vector<types::global_dof_index>                 &dofs) const
   {
     dofs.resize(body.fe->n_dofs_per_cell());
     values.reinit(dofs.size());
@@ -224,7 +220,6 @@ namespace Structure
   }
 
 
-
   template <int dim>
   void
   Model<dim>::make_constraints(const Vector_t &u, const double time)
@@ -232,8 +227,8 @@ namespace Structure
     // Prescribed values need the present displacement of their nodes, which may
     // live on any rank: small, so all ranks get all of them.
     constraints =
-      MortarContact::Compat::make_constraints(owned,
-                                              complete_index_set(total_dofs));
+        MortarContact::Compat::make_constraints(owned,
+                                                complete_index_set(total_dofs));
     constraints.merge(hanging, AffineConstraints<double>::left_object_wins);
     std::vector<types::global_dof_index> prescribed;
     node_conditions->add_dofs(prescribed);
@@ -246,27 +241,27 @@ namespace Structure
         values[i] = u(prescribed[i]);
     Utilities::MPI::sum(values, communicator, values);
     node_conditions->add_lines(
-      [&](const types::global_dof_index dof) {
-        return values[std::lower_bound(prescribed.begin(), prescribed.end(), dof) -
-                      prescribed.begin()];
-      },
-      time,
-      constraints);
+        [&](const types::global_dof_index dof) {
+          return values[std::lower_bound(
+                            prescribed.begin(), prescribed.end(), dof) -
+                        prescribed.begin()];
+        },
+        time,
+        constraints);
     norms.to_prescribe = 0.;
     for (const auto &line : constraints.get_lines())
       norms.to_prescribe =
-        std::max(norms.to_prescribe, std::abs(line.inhomogeneity));
+          std::max(norms.to_prescribe, std::abs(line.inhomogeneity));
     constraints.close();
   }
-
 
 
   template <int dim>
   void
   Model<dim>::make_matrix()
   {
-    TimerOutput::Scope     scope(timer, "matrix pattern");
-    DynamicSparsityPattern dsp(total_dofs, total_dofs);
+    TimerOutput::Scope                   scope(timer, "matrix pattern");
+    DynamicSparsityPattern               dsp(total_dofs, total_dofs);
     std::vector<types::global_dof_index> dofs;
     for (const auto &b : bodies)
       {
@@ -293,16 +288,15 @@ namespace Structure
   }
 
 
-
   template <int dim>
   void
   Model<dim>::add_loads(
-    const Body<dim>                                      &body,
-    const typename DoFHandler<dim>::active_cell_iterator &cell,
-    const Vector<double>                                 &u,
-    const double                                          time,
-    Vector<double>                                       &f,
-    FullMatrix<double>                                   &tangent)
+      const Body<dim>                                      &body,
+      const typename DoFHandler<dim>::active_cell_iterator &cell,
+      const Vector<double>                                 &u,
+      const double                                          time,
+      Vector<double>                                       &f,
+      FullMatrix<double>                                   &tangent)
   {
     const std::vector<unsigned int> component = components_of<dim>(*body.fe);
     for (Load &load : loads)
@@ -315,30 +309,31 @@ namespace Structure
                                     *body.fe,
                                     *body.quadrature,
                                     update_values | update_JxW_values |
-                                      update_quadrature_points);
+                                        update_quadrature_points);
             fe_values.reinit(cell);
             for (const unsigned int q : fe_values.quadrature_point_indices())
               for (unsigned int a = 0; a < component.size(); ++a)
                 f(a) += load.formulas[component[a]].value(
-                          fe_values.quadrature_point(q), time) *
+                            fe_values.quadrature_point(q), time) *
                         fe_values.shape_value(a, q) * fe_values.JxW(q);
             continue;
           }
 
         const bool is_pressure =
-          load.condition->type == BoundaryCondition::Type::pressure;
+            load.condition->type == BoundaryCondition::Type::pressure;
         for (const unsigned int face : cell->face_indices())
           {
             if (!cell->face(face)->at_boundary() ||
                 load.condition->boundaries.count(
-                  cell->face(face)->boundary_id()) == 0)
+                    cell->face(face)->boundary_id()) == 0)
               continue;
-            FEFaceValues<dim> fe_values(
-              *body.mapping,
-              *body.fe,
-              *body.face_quadrature,
-              update_values | update_gradients | update_JxW_values |
-                update_normal_vectors | update_quadrature_points);
+            FEFaceValues<dim> fe_values(*body.mapping,
+                                        *body.fe,
+                                        *body.face_quadrature,
+                                        update_values | update_gradients |
+                                            update_JxW_values |
+                                            update_normal_vectors |
+                                            update_quadrature_points);
             fe_values.reinit(cell, face);
             for (const unsigned int q : fe_values.quadrature_point_indices())
               {
@@ -349,7 +344,7 @@ namespace Structure
                     for (unsigned int a = 0; a < component.size(); ++a)
                       if (load.of_component[component[a]] >= 0)
                         f(a) += load.formulas[load.of_component[component[a]]]
-                                  .value(x, time) *
+                                    .value(x, time) *
                                 fe_values.shape_value(a, q) * w;
                     continue;
                   }
@@ -358,11 +353,13 @@ namespace Structure
                 Tensor<1, 3> N;
                 for (unsigned int i = 0; i < dim; ++i)
                   N[i] = fe_values.normal_vector(q)[i];
-                Tensor<2, 3> F = deformation_gradient<dim>(
-                  fe_values,
-                  component,
-                  body.material->is_linear ? Vector<double>(u.size()) : u,
-                  q);
+                Tensor<2, 3> F =
+                    deformation_gradient<dim>(fe_values,
+                                              component,
+                                              body.material->is_linear ?
+                                                  Vector<double>(u.size()) :
+                                                  u,
+                                              q);
                 const double       J = determinant(F);
                 const Tensor<2, 3> H = transpose(invert(F));
                 const Tensor<1, 3> n = J * (H * N);
@@ -390,7 +387,6 @@ namespace Structure
   }
 
 
-
   template <int dim>
   std::string
   Model<dim>::assemble(const Vector_t &u,
@@ -408,7 +404,7 @@ namespace Structure
         {
           interface->update(u, time, with_tangent);
           couplings_changed =
-            couplings_changed || interface->report().couplings_changed;
+              couplings_changed || interface->report().couplings_changed;
         }
     }
     if (with_tangent)
@@ -434,9 +430,9 @@ namespace Structure
           Element<dim>       element(*b);
           const unsigned int n = b->fe->n_dofs_per_cell();
           const bool         is_loaded =
-            std::any_of(loads.begin(), loads.end(), [&](const Load &load) {
-              return load.body == b.get();
-            });
+              std::any_of(loads.begin(), loads.end(), [&](const Load &load) {
+                return load.body == b.get();
+              });
           forces.reinit(n);
           loaded.reinit(n);
           if (with_tangent)
@@ -446,17 +442,14 @@ namespace Structure
               {
                 cell_values(*b, cell, u_ghosted, values, dofs);
                 if (!element.evaluate(
-                      cell, values, with_tangent, forces, tangent))
+                        cell, values, with_tangent, forces, tangent))
                   {
-                    failure = "cell " +
-                              std::to_string(cell->global_active_cell_index()) +
-                              " of '" + b->name + "' at (" +
-                              Utilities::to_string(cell->center()[0], 4) + ", " +
-                              Utilities::to_string(cell->center()[1], 4) +
-                              (dim == 3 ? ", " + Utilities::to_string(
-                                                   cell->center()[dim - 1], 4) :
-                                          "") +
-                              ") turned inside out";
+                    std::ostringstream text;
+                    text.precision(4);
+                    text << "cell " << cell->global_active_cell_index()
+                         << " of '" << b->name << "' at (" << cell->center()
+                         << ") turned inside out";
+                    failure = text.str();
                     break;
                   }
                 none.distribute_local_to_global(forces, dofs, internal);
@@ -470,13 +463,14 @@ namespace Structure
                 forces *= -1.;
                 if (with_tangent)
                   constraints.distribute_local_to_global(
-                    tangent, forces, dofs, matrix, rhs);
+                      tangent, forces, dofs, matrix, rhs);
                 else
                   constraints.distribute_local_to_global(forces, dofs, rhs);
               }
         }
     }
-    for (const std::string &f : Utilities::MPI::all_gather(communicator, failure))
+    for (const std::string &f :
+         Utilities::MPI::all_gather(communicator, failure))
       if (!f.empty())
         failure = f;
 
@@ -504,7 +498,6 @@ namespace Structure
   }
 
 
-
   template <int dim>
   Tensor<1, 3>
   Model<dim>::reaction(const unsigned int c) const
@@ -518,14 +511,13 @@ namespace Structure
   }
 
 
-
   template <int dim>
   std::vector<std::vector<double>>
   Model<dim>::rigid_body_modes() const
   {
-    constexpr unsigned int n_modes = (dim == 2) ? 3 : 6;
+    constexpr unsigned int           n_modes = (dim == 2) ? 3 : 6;
     std::vector<std::vector<double>> modes(
-      n_modes, std::vector<double>(owned.n_elements(), 0.));
+        n_modes, std::vector<double>(owned.n_elements(), 0.));
     std::vector<types::global_dof_index> dofs;
     for (const auto &b : bodies)
       {
@@ -540,11 +532,10 @@ namespace Structure
                   const auto dof = b->numbering(dofs[a]);
                   if (!owned.is_element(dof))
                     continue;
-                  const auto         i = owned.index_within_set(dof);
+                  const auto         i    = owned.index_within_set(dof);
                   const auto         node = b->fe->system_to_component_index(a);
                   const unsigned int c    = node.first;
-                  const Point<dim>   x =
-                    b->mapping->transform_unit_to_real_cell(
+                  const Point<dim> x = b->mapping->transform_unit_to_real_cell(
                       cell, scalar.unit_support_point(node.second));
                   modes[c][i] = 1.;
                   if constexpr (dim == 2)
@@ -561,7 +552,6 @@ namespace Structure
       }
     return modes;
   }
-
 
 
   template class Model<2>;

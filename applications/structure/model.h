@@ -41,9 +41,10 @@ namespace Structure
   public:
     explicit Model(const MPI_Comm communicator, TimerOutput &timer);
 
-    std::vector<std::unique_ptr<Body<dim>>>                            bodies;
-    std::vector<BoundaryCondition>                                     conditions;
-    std::vector<std::unique_ptr<MortarContact::ContactInterface<dim>>> interfaces;
+    std::vector<std::unique_ptr<Body<dim>>> bodies;
+    std::vector<BoundaryCondition>          conditions;
+    std::vector<std::unique_ptr<MortarContact::ContactInterface<dim>>>
+        interfaces;
 
     /// Number the dofs; after the bodies are there, before the interfaces.
     void

@@ -38,7 +38,6 @@ namespace Structure
   } // namespace
 
 
-
   void
   NewtonParameters::declare(ParameterHandler &prm)
   {
@@ -63,7 +62,6 @@ namespace Structure
   }
 
 
-
   void
   NewtonParameters::read(ParameterHandler &prm)
   {
@@ -74,14 +72,13 @@ namespace Structure
   }
 
 
-
   template <int dim>
   NewtonResult
-  solve_step(Model<dim>                   &model,
-             const NewtonParameters       &parameters,
-             const LinearSolverParameters &linear,
-             const double                  time,
-             Vector_t                     &u,
+  solve_step(Model<dim>                                       &model,
+             const NewtonParameters                           &parameters,
+             const LinearSolverParameters                     &linear,
+             const double                                      time,
+             Vector_t                                         &u,
              const std::function<void(const NewtonIterate &)> &watch)
   {
     NewtonResult   result;
@@ -90,8 +87,7 @@ namespace Structure
     double         modulus = 0.;
     for (const auto &b : model.bodies)
       modulus = std::max(modulus, b->material->shear_modulus);
-    const double floor =
-      force_floor * modulus * std::pow(model.size, dim - 1.);
+    const double floor = force_floor * modulus * std::pow(model.size, dim - 1.);
 
     NewtonIterate iterate;
     iterate.update = std::numeric_limits<double>::max();
@@ -104,10 +100,9 @@ namespace Structure
         // Step 1: converged?
         const ForceNorms &n = model.norms;
         const double      scale =
-          std::max({n.internal, n.external, n.contact, floor});
-        iterate.residual = n.residual / scale;
-        const bool at_target =
-          n.to_prescribe <= motion_floor * model.size;
+            std::max({n.internal, n.external, n.contact, floor});
+        iterate.residual     = n.residual / scale;
+        const bool at_target = n.to_prescribe <= motion_floor * model.size;
         watch(iterate);
         result.residual = iterate.residual;
         if (!std::isfinite(n.residual))
@@ -115,12 +110,13 @@ namespace Structure
             result.failure = "the residual is not a number";
             return result;
           }
-        if (at_target && ((iterate.residual <= parameters.force_tolerance &&
-                           iterate.update <= parameters.displacement_tolerance) ||
-                          iterate.residual <= surely_converged *
-                                                parameters.force_tolerance ||
-                          (iterate.residual <= residual_round_off &&
-                           iterate.update <= update_round_off)))
+        if (at_target &&
+            ((iterate.residual <= parameters.force_tolerance &&
+              iterate.update <= parameters.displacement_tolerance) ||
+             iterate.residual <=
+                 surely_converged * parameters.force_tolerance ||
+             (iterate.residual <= residual_round_off &&
+              iterate.update <= update_round_off)))
           {
             result.converged = true;
             return result;
@@ -150,7 +146,7 @@ namespace Structure
         iterate.step = 1.;
         for (const auto &interface : model.interfaces)
           iterate.step =
-            std::min(iterate.step, interface->largest_safe_step(u, du));
+              std::min(iterate.step, interface->largest_safe_step(u, du));
 
         // Step 3: go there; shorten while it does not help.
         const double   work_before     = du * model.rhs;
@@ -164,9 +160,10 @@ namespace Structure
             result.failure    = model.assemble(u, time, true);
             const bool better = model.norms.residual < residual_before;
             const bool less_work =
-              std::abs(du * model.rhs) <= enough * std::abs(work_before);
-            const bool good =
-              parameters.line_search == "energy" ? (better || less_work) : better;
+                std::abs(du * model.rhs) <= enough * std::abs(work_before);
+            const bool good = parameters.line_search == "energy" ?
+                                  (better || less_work) :
+                                  better;
             if (result.failure.empty() && (!search || good))
               break;
             if (trial == max_trials)
@@ -180,14 +177,12 @@ namespace Structure
 
         Vector_t motion = u;
         motion -= u_start;
-        iterate.update =
-          iterate.step * du.linfty_norm() /
-          std::max({motion.linfty_norm(),
-                    still * u.linfty_norm(),
-                    motion_floor * model.size});
+        iterate.update = iterate.step * du.linfty_norm() /
+                         std::max({motion.linfty_norm(),
+                                   still * u.linfty_norm(),
+                                   motion_floor * model.size});
       }
   }
-
 
 
   template NewtonResult

@@ -53,11 +53,11 @@ namespace Structure
    */
   template <int dim>
   NewtonResult
-  solve_step(Model<dim>                                     &model,
-             const NewtonParameters                         &parameters,
-             const LinearSolverParameters                   &linear,
-             const double                                    time,
-             Vector_t                                       &u,
+  solve_step(Model<dim>                                       &model,
+             const NewtonParameters                           &parameters,
+             const LinearSolverParameters                     &linear,
+             const double                                      time,
+             Vector_t                                         &u,
              const std::function<void(const NewtonIterate &)> &watch);
 } // namespace Structure
 

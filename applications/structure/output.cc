@@ -18,14 +18,12 @@ namespace Structure
   {}
 
 
-
   void
   Log::open(const std::string &name, const bool append)
   {
     if (is_root)
       file.open(name, append ? std::ios::app : std::ios::trunc);
   }
-
 
 
   void
@@ -40,13 +38,11 @@ namespace Structure
   }
 
 
-
   template <int dim>
   Output<dim>::Output(const std::string &directory, const MPI_Comm communicator)
     : directory(directory)
     , communicator(communicator)
   {}
-
 
 
   template <int dim>
@@ -67,11 +63,11 @@ namespace Structure
               {
                 const std::string name = entry.path().filename();
                 const bool        ours =
-                  name == "history.csv" || name == "summary.json" ||
-                  name == "solution.pvd" || name == "contact.pvd" ||
-                  ((name.rfind("solution-", 0) == 0 ||
-                    name.rfind("contact-", 0) == 0) &&
-                   entry.path().extension() == ".vtu");
+                    name == "history.csv" || name == "summary.json" ||
+                    name == "solution.pvd" || name == "contact.pvd" ||
+                    ((name.rfind("solution-", 0) == 0 ||
+                      name.rfind("contact-", 0) == 0) &&
+                     entry.path().extension() == ".vtu");
                 if (ours)
                   fs::remove(entry.path());
               }
@@ -84,7 +80,6 @@ namespace Structure
                            failure + "."));
     text_file("parameters.prm", parameters);
   }
-
 
 
   template <int dim>
@@ -105,7 +100,8 @@ namespace Structure
         const std::size_t comma = row.find(',');
         if (comma == std::string::npos)
           continue;
-        const std::string second = row.substr(comma + 1, row.find(',', comma + 1));
+        const std::string second =
+            row.substr(comma + 1, row.find(',', comma + 1));
         if (kept.empty() || std::atof(second.c_str()) <= last)
           kept += row + "\n";
       }
@@ -113,7 +109,6 @@ namespace Structure
     has_history = !kept.empty();
     text_file("history.csv", kept);
   }
-
 
 
   template <int dim>
@@ -131,7 +126,6 @@ namespace Structure
     out << "</Collection>\n</VTKFile>\n";
     text_file(name, out.str());
   }
-
 
 
   template <int dim>
@@ -162,10 +156,10 @@ namespace Structure
   }
 
 
-
   template <int dim>
   void
-  Output<dim>::text_file(const std::string &name, const std::string &content) const
+  Output<dim>::text_file(const std::string &name,
+                         const std::string &content) const
   {
     if (Utilities::MPI::this_mpi_process(communicator) != 0)
       return;
@@ -179,7 +173,6 @@ namespace Structure
     }
     std::filesystem::rename(file + ".new", file);
   }
-
 
 
   template <int dim>
@@ -204,7 +197,6 @@ namespace Structure
   }
 
 
-
   template <int dim>
   void
   Output<dim>::write_body(const Model<dim>  &model,
@@ -213,16 +205,18 @@ namespace Structure
                           const std::string &name) const
   {
     // displacements on the body's own numbering, and means over cells
-    const Vector_t ghosted = model.ghosted(u);
-    Vector<double> displacement(body.dof_handler.n_dofs());
+    const Vector_t     ghosted = model.ghosted(u);
+    Vector<double>     displacement(body.dof_handler.n_dofs());
     const unsigned int n_cells = body.triangulation.n_active_cells();
     Vector<double>     pressure(n_cells), mises(n_cells), volume_ratio(n_cells);
-    std::vector<Vector<double>> stress(dim == 2 ? 4 : 6, Vector<double>(n_cells));
+    std::vector<Vector<double>> stress(dim == 2 ? 4 : 6,
+                                       Vector<double>(n_cells));
 
     Element<dim>                         element(body);
-    std::vector<types::global_dof_index> dofs, local(body.fe->n_dofs_per_cell());
-    Vector<double>                       values, forces(local.size());
-    FullMatrix<double>                   none;
+    std::vector<types::global_dof_index> dofs,
+        local(body.fe->n_dofs_per_cell());
+    Vector<double>     values, forces(local.size());
+    FullMatrix<double> none;
     for (const auto &cell : body.dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
         {
@@ -234,10 +228,10 @@ namespace Structure
           const unsigned int           c = cell->active_cell_index();
           const SymmetricTensor<2, 3> &s = element.state().stress;
           pressure(c)                    = -trace(s) / 3.;
-          mises(c)        = std::sqrt(1.5) * deviator(s).norm();
-          volume_ratio(c) = element.state().volume_ratio;
+          mises(c)                       = std::sqrt(1.5) * deviator(s).norm();
+          volume_ratio(c)                = element.state().volume_ratio;
           const unsigned int components[6][2] = {
-            {0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}};
+              {0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}};
           for (unsigned int i = 0; i < stress.size(); ++i)
             stress[i](c) = s[components[i][0]][components[i][1]];
         }
@@ -245,12 +239,14 @@ namespace Structure
     DataOut<dim> data_out;
     data_out.attach_dof_handler(body.dof_handler);
     data_out.add_data_vector(
-      displacement,
-      std::vector<std::string>(dim, "displacement"),
-      DataOut<dim>::type_dof_data,
-      std::vector<DataComponentInterpretation::DataComponentInterpretation>(
-        dim, DataComponentInterpretation::component_is_part_of_vector));
-    data_out.add_data_vector(pressure, "pressure", DataOut<dim>::type_cell_data);
+        displacement,
+        std::vector<std::string>(dim, "displacement"),
+        DataOut<dim>::type_dof_data,
+        std::vector<DataComponentInterpretation::DataComponentInterpretation>(
+            dim, DataComponentInterpretation::component_is_part_of_vector));
+    data_out.add_data_vector(pressure,
+                             "pressure",
+                             DataOut<dim>::type_cell_data);
     data_out.add_data_vector(mises, "von_Mises", DataOut<dim>::type_cell_data);
     data_out.add_data_vector(volume_ratio,
                              "volume_ratio",
@@ -263,7 +259,6 @@ namespace Structure
     data_out.build_patches(*body.mapping, body.fe->degree);
     data_out.write_vtu_in_parallel(directory + "/" + name, communicator);
   }
-
 
 
   template <int dim>
@@ -298,7 +293,6 @@ namespace Structure
     write_collection("solution.pvd", solution_files);
     write_collection("contact.pvd", contact_files);
   }
-
 
 
   template class Output<2>;

@@ -93,7 +93,7 @@ namespace Structure
     read_collection(const std::string &name, const double last_time) const;
 
     std::vector<DataSet> solution_files, contact_files;
-    bool has_history = false;
+    bool                 has_history = false;
   };
 } // namespace Structure
 

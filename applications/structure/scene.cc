@@ -63,7 +63,7 @@ namespace Structure
     names_of(ParameterHandler &prm, const std::string &entry)
     {
       std::vector<std::string> names =
-        Utilities::split_string_list(prm.get(entry));
+          Utilities::split_string_list(prm.get(entry));
       for (std::size_t i = 0; i < names.size(); ++i)
         AssertThrow(std::count(names.begin(), names.end(), names[i]) == 1,
                     ExcMessage("'" + entry + "' has '" + names[i] +
@@ -89,11 +89,11 @@ namespace Structure
                         Patterns::Integer(2, 3),
                         "2: plane strain; 3.");
       const auto list =
-        [&](const char *section, const char *entry, const char *help) {
-          prm.enter_subsection(section);
-          prm.declare_entry(entry, "", Patterns::Anything(), help);
-          prm.leave_subsection();
-        };
+          [&](const char *section, const char *entry, const char *help) {
+            prm.enter_subsection(section);
+            prm.declare_entry(entry, "", Patterns::Anything(), help);
+            prm.leave_subsection();
+          };
       list("Bodies",
            "Names",
            "Names of the bodies, separated by commas; one subsection each.");
@@ -141,12 +141,13 @@ namespace Structure
                         "1",
                         Patterns::Integer(1, 2),
                         "Of the displacements [-].");
-      prm.declare_entry("Mean dilatation",
-                        "automatic",
-                        Patterns::Selection("automatic|yes|no"),
-                        "One pressure per cell (Q1P0): no locking of nearly "
-                        "incompressible solids. automatic: for Mooney-Rivlin on "
-                        "hexahedra (quadrilaterals) of degree 1.");
+      prm.declare_entry(
+          "Mean dilatation",
+          "automatic",
+          Patterns::Selection("automatic|yes|no"),
+          "One pressure per cell (Q1P0): no locking of nearly "
+          "incompressible solids. automatic: for Mooney-Rivlin on "
+          "hexahedra (quadrilaterals) of degree 1.");
       prm.declare_entry("Body force",
                         "",
                         Patterns::Anything(),
@@ -163,7 +164,7 @@ namespace Structure
       body.mean_dilatation = prm.get("Mean dilatation");
       body.body_force      = prm.get("Body force");
       AssertThrow(body.mean_dilatation != "yes" ||
-                    body.material.law == "Mooney-Rivlin",
+                      body.material.law == "Mooney-Rivlin",
                   ExcMessage("'Mean dilatation' is 'yes' but 'Material/Law' is "
                              "'" +
                              body.material.law +
@@ -180,18 +181,19 @@ namespace Structure
                         Patterns::List(Patterns::Integer(0), 1),
                         "Ids of the faces [-].");
       prm.declare_entry(
-        "Type",
-        "displacement",
-        Patterns::Selection("displacement|symmetry|traction|pressure"),
-        "displacement: x, y, z as formulas or free. symmetry: none along the "
-        "normal. traction: force per undeformed area. pressure: pushes along "
-        "the deformed normal.");
+          "Type",
+          "displacement",
+          Patterns::Selection("displacement|symmetry|traction|pressure"),
+          "displacement: x, y, z as formulas or free. symmetry: none along the "
+          "normal. traction: force per undeformed area. pressure: pushes along "
+          "the deformed normal.");
       for (const char *component : {"x", "y", "z"})
-        prm.declare_entry(component,
-                          "free",
-                          Patterns::Anything(),
-                          "Component as a formula in x, y, z, t and pi, or free "
-                          "[length or pressure].");
+        prm.declare_entry(
+            component,
+            "free",
+            Patterns::Anything(),
+            "Component as a formula in x, y, z, t and pi, or free "
+            "[length or pressure].");
       prm.declare_entry("Pressure",
                         "free",
                         Patterns::Anything(),
@@ -206,12 +208,12 @@ namespace Structure
       for (const double id : numbers_of(prm.get("Boundary ids")))
         c.boundaries.insert(static_cast<types::boundary_id>(id));
       const std::string type = prm.get("Type");
-      c.type = (type == "displacement") ? Type::displacement :
-               (type == "symmetry")     ? Type::symmetry :
-               (type == "traction")     ? Type::traction :
-                                          Type::pressure;
-      c.values = {{prm.get("x"), prm.get("y"), prm.get("z")}};
-      const bool any = c.values[0] != "free" || c.values[1] != "free" ||
+      c.type                 = (type == "displacement") ? Type::displacement :
+                               (type == "symmetry")     ? Type::symmetry :
+                               (type == "traction")     ? Type::traction :
+                                                          Type::pressure;
+      c.values               = {{prm.get("x"), prm.get("y"), prm.get("z")}};
+      const bool any         = c.values[0] != "free" || c.values[1] != "free" ||
                        c.values[2] != "free";
       const std::string pressure = prm.get("Pressure");
       if (c.type == Type::pressure)
@@ -237,14 +239,15 @@ namespace Structure
     declare_interface(ParameterHandler &prm)
     {
       for (const char *side : {"Secondary", "Primary"})
-        prm.declare_entry(side,
-                          "",
-                          Patterns::Anything(),
-                          std::string(side) +
-                            " surface: body, 'body: boundary 1, 2' or 'body: "
-                            "material 3'; several separated by semicolons. The "
-                            "secondary (SURFA, slave) carries the integration "
-                            "points.");
+        prm.declare_entry(
+            side,
+            "",
+            Patterns::Anything(),
+            std::string(side) +
+                " surface: body, 'body: boundary 1, 2' or 'body: "
+                "material 3'; several separated by semicolons. The "
+                "secondary (SURFA, slave) carries the integration "
+                "points.");
       MortarContact::ContactParameters::declare(prm);
     }
 
@@ -287,7 +290,6 @@ namespace Structure
   } // namespace
 
 
-
   std::vector<PartSelection>
   parse_parts(const std::string &text, const std::string &entry)
   {
@@ -299,10 +301,10 @@ namespace Structure
         selection.body          = Utilities::trim(part.substr(0, colon));
         if (colon != std::string::npos)
           {
-            const std::string rest = Utilities::trim(part.substr(colon + 1));
+            const std::string rest  = Utilities::trim(part.substr(colon + 1));
             const std::size_t space = rest.find(' ');
             const std::string what  = rest.substr(0, space);
-            bool ok = (what == "boundary" || what == "material") &&
+            bool              ok = (what == "boundary" || what == "material") &&
                       space != std::string::npos;
             if (ok)
               for (const std::string &id :
@@ -315,10 +317,11 @@ namespace Structure
                     selection.faces.materials.insert(std::stoul(id));
                 }
             AssertThrow(ok,
-                        ExcMessage("'" + entry + "' is '" + text +
-                                   "'; expected 'body', 'body: boundary 1, 2' "
-                                   "or 'body: material 3', several separated by "
-                                   "semicolons."));
+                        ExcMessage(
+                            "'" + entry + "' is '" + text +
+                            "'; expected 'body', 'body: boundary 1, 2' "
+                            "or 'body: material 3', several separated by "
+                            "semicolons."));
           }
         parts.push_back(selection);
       }
@@ -327,7 +330,6 @@ namespace Structure
                            "' is empty; expected the name of a body."));
     return parts;
   }
-
 
 
   void
@@ -388,7 +390,6 @@ namespace Structure
   }
 
 
-
   void
   read_run(ParameterHandler &prm, Scene &scene)
   {
@@ -424,7 +425,6 @@ namespace Structure
   }
 
 
-
   void
   parse(ParameterHandler  &prm,
         const SceneSource &source,
@@ -442,14 +442,15 @@ namespace Structure
                     ExcMessage("--set '" + setting +
                                "': expected \"Section/Entry=value\"."));
         std::vector<std::string> path =
-          Utilities::split_string_list(setting.substr(0, equals), '/');
+            Utilities::split_string_list(setting.substr(0, equals), '/');
         std::string text, ends;
         for (std::size_t i = 0; i + 1 < path.size(); ++i)
           {
             text += "subsection " + path[i] + "\n";
             ends += "end\n";
           }
-        text += "set " + path.back() + " = " + setting.substr(equals + 1) + "\n";
+        text +=
+            "set " + path.back() + " = " + setting.substr(equals + 1) + "\n";
         std::istringstream line(text + ends);
         prm.parse_input(line, "--set \"" + setting + "\"", "", skip_undefined);
       }
@@ -459,7 +460,6 @@ namespace Structure
                              prm.get("Driver") + "'; this is '" +
                              source.driver + "'."));
   }
-
 
 
   Scene
@@ -506,7 +506,7 @@ namespace Structure
     for (const auto &name : names.probes)
       in_section(prm, {"Probes", name}, [&]() {
         scene.output.probes.push_back(
-          {name, prm.get("Body"), numbers_of(prm.get("Point"))});
+            {name, prm.get("Body"), numbers_of(prm.get("Point"))});
       });
     read_run(prm, scene);
 
@@ -523,7 +523,6 @@ namespace Structure
     used = out.str();
     return scene;
   }
-
 
 
   void
@@ -572,7 +571,7 @@ namespace Structure
           for (const auto id : a.boundaries)
             for (unsigned int k = 0; k < 3; ++k)
               AssertThrow(b.boundaries.count(id) == 0 ||
-                            a.values[k] == "free" || b.values[k] == "free",
+                              a.values[k] == "free" || b.values[k] == "free",
                           ExcMessage("'Boundary conditions/" + a.name +
                                      "' and '" + b.name + "' both prescribe '" +
                                      std::string(1, "xyz"[k]) +
@@ -585,7 +584,6 @@ namespace Structure
       if (i.contact.removal_time > 0.)
         scene.steps.times_to_meet.push_back(i.contact.removal_time);
   }
-
 
 
   std::string

@@ -19,7 +19,7 @@ namespace Structure
     std::string        name;
     MeshParameters     mesh;
     MaterialParameters material;
-    unsigned int       degree = 1;
+    unsigned int       degree          = 1;
     std::string        mean_dilatation = "automatic";
     std::string        body_force;
   };

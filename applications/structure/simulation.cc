@@ -60,7 +60,6 @@ namespace Structure
   } // namespace
 
 
-
   template <int dim>
   Simulation<dim>::Simulation(const Scene       &scene,
                               const std::string &used_parameters,
@@ -80,7 +79,6 @@ namespace Structure
   {}
 
 
-
   template <int dim>
   void
   Simulation<dim>::setup()
@@ -93,25 +91,25 @@ namespace Structure
           {
             make_mesh<dim>(b.mesh, mesh);
             std::unique_ptr<Material> material = b.material.make();
-            const bool mean_dilatation =
-              b.mean_dilatation == "yes" ||
-              (b.mean_dilatation == "automatic" && material->is_split() &&
-               b.degree == 1 && mesh.all_reference_cells_are_hyper_cube());
+            const bool                mean_dilatation =
+                b.mean_dilatation == "yes" ||
+                (b.mean_dilatation == "automatic" && material->is_split() &&
+                 b.degree == 1 && mesh.all_reference_cells_are_hyper_cube());
             model.bodies.push_back(
-              std::make_unique<Body<dim>>(b.name,
-                                          mesh,
-                                          std::move(material),
-                                          b.degree,
-                                          mean_dilatation,
-                                          communicator));
+                std::make_unique<Body<dim>>(b.name,
+                                            mesh,
+                                            std::move(material),
+                                            b.degree,
+                                            mean_dilatation,
+                                            communicator));
           }
         catch (const ExcMessage &e)
           {
             std::ostringstream info;
             e.print_info(info);
             AssertThrow(false,
-                        ExcMessage("In section 'Bodies/" + b.name + "': " +
-                                   Utilities::trim(info.str())));
+                        ExcMessage("In section 'Bodies/" + b.name +
+                                   "': " + Utilities::trim(info.str())));
           }
         model.bodies.back()->body_force = b.body_force;
       }
@@ -135,18 +133,14 @@ namespace Structure
 
     for (const InterfaceParameters &i : scene.interfaces)
       {
-        auto interface =
-          std::make_unique<MortarContact::ContactInterface<dim>>(i.name,
-                                                                 i.contact,
-                                                                 communicator);
+        auto interface = std::make_unique<MortarContact::ContactInterface<dim>>(
+            i.name, i.contact, communicator);
         for (const bool secondary : {true, false})
           for (const PartSelection &part : secondary ? i.secondary : i.primary)
             {
               const Body<dim> &b       = model.body(part.body);
               const double     modulus = b.material->contact_modulus;
-              const auto       of_cell = [modulus](const auto &) {
-                return modulus;
-              };
+              const auto of_cell = [modulus](const auto &) { return modulus; };
               if (secondary)
                 interface->add_secondary(b.dof_handler,
                                          *b.mapping,
@@ -182,22 +176,21 @@ namespace Structure
         for (const auto &cell : b.dof_handler.active_cell_iterators())
           for (unsigned int k = 0; k < scalar.n_dofs_per_cell(); ++k)
             {
-              const double d = x.distance(b.mapping->transform_unit_to_real_cell(
-                cell, scalar.unit_support_point(k)));
+              const double d =
+                  x.distance(b.mapping->transform_unit_to_real_cell(
+                      cell, scalar.unit_support_point(k)));
               if (d < best)
                 {
                   best = d;
                   cell->get_dof_indices(of_cell);
                   for (unsigned int i = 0; i < dim; ++i)
-                    dofs[i] =
-                      b.numbering(of_cell[b.fe->component_to_system_index(i, k)]);
+                    dofs[i] = b.numbering(
+                        of_cell[b.fe->component_to_system_index(i, k)]);
                 }
             }
         probe_dofs.push_back(dofs);
       }
-    report_setup();
   }
-
 
 
   template <int dim>
@@ -214,13 +207,13 @@ namespace Structure
              " rank(s), about " +
              // 81 (27 x 3) entries per row in 3d, 18 (9 x 2) in 2d; a direct
              // factor holds some twenty times as many
-             number(model.n_dofs() * (dim == 3 ? 81. * 12. * 20. : 18. * 12. * 10.) /
-                    1e9, 2) +
+             number(model.n_dofs() *
+                        (dim == 3 ? 81. * 12. * 20. : 18. * 12. * 10.) / 1e9,
+                    2) +
              " GB with the direct solver");
     for (const auto &interface : model.interfaces)
       log.line(Utilities::trim(interface->report().initial_text()));
   }
-
 
 
   template <int dim>
@@ -239,32 +232,33 @@ namespace Structure
   }
 
 
-
   template <int dim>
   std::string
   Simulation<dim>::try_step(const double new_time)
   {
     Vector_t trial = u;
-    last_newton    = solve_step(
-      model,
-      scene.newton,
-      scene.linear,
-      new_time,
-      trial,
-      [&](const NewtonIterate &i) {
-        std::ostringstream out;
-        out << "    iteration " << i.iteration << "  residual "
-            << std::scientific << std::setprecision(2) << i.residual;
-        if (i.iteration > 0)
-          {
-            out << "  update " << i.update;
-            if (i.step < 1.)
-              out << "  step " << std::fixed << i.step;
-            if (i.linear.iterations > 0 || i.linear.method != "MUMPS")
-              out << "  " << i.linear.method << " " << i.linear.iterations;
-          }
-        log.line(out.str());
-      });
+    last_newton    = solve_step(model,
+                             scene.newton,
+                             scene.linear,
+                             new_time,
+                             trial,
+                             [&](const NewtonIterate &i) {
+                               std::ostringstream out;
+                               out << "    iteration " << i.iteration
+                                   << "  residual " << std::scientific
+                                   << std::setprecision(2) << i.residual;
+                               if (i.iteration > 0)
+                                 {
+                                   out << "  update " << i.update;
+                                   if (i.step < 1.)
+                                     out << "  step " << std::fixed << i.step;
+                                   if (i.linear.iterations > 0 ||
+                                       i.linear.method != "MUMPS")
+                                     out << "  " << i.linear.method << " "
+                                         << i.linear.iterations;
+                                 }
+                               log.line(out.str());
+                             });
     newton_iterations += last_newton.iterations;
     linear_iterations += last_newton.linear_iterations;
     if (!last_newton.converged)
@@ -280,12 +274,11 @@ namespace Structure
   }
 
 
-
   template <int dim>
   ExitCode
   Simulation<dim>::run()
   {
-    const StepParameters &s = scene.steps;
+    const StepParameters &s     = scene.steps;
     std::vector<double>   stops = s.times_to_meet;
     stops.push_back(s.end_time);
     std::sort(stops.begin(), stops.end());
@@ -293,6 +286,8 @@ namespace Structure
     if (step == 0)
       {
         output.start(used_parameters);
+        log.open(output.directory + "/run.log", false);
+        report_setup();
         output.fields(model, u, time, step);
       }
     wall.restart();
@@ -328,9 +323,10 @@ namespace Structure
                      "; cut back to " + number(next_step));
             if (next_step < s.smallest)
               {
-                log.line("No convergence: the step fell below 'Smallest step', " +
-                         number(s.smallest) + ". Last good state: time " +
-                         number(time) + ".");
+                log.line(
+                    "No convergence: the step fell below 'Smallest step', " +
+                    number(s.smallest) + ". Last good state: time " +
+                    number(time) + ".");
                 // contact shows the last good state again
                 (void)model.assemble(u, time, false);
                 write_checkpoint();
@@ -346,16 +342,18 @@ namespace Structure
         for (const auto &interface : model.interfaces)
           interface->commit(time);
         if (last_newton.iterations <= s.target_iterations)
-          next_step = std::min(s.largest, std::max(next_step, step_size) * s.growth);
+          next_step =
+              std::min(s.largest, std::max(next_step, step_size) * s.growth);
 
         const double done = (time - first_time) / (s.end_time - first_time);
         std::string  text =
-          "Step " + std::to_string(step) + "  time " + number(time) + "  " +
-          std::to_string(last_newton.iterations) + " iterations  residual " +
-          number(last_newton.residual, 2);
+            "Step " + std::to_string(step) + "  time " + number(time) + "  " +
+            std::to_string(last_newton.iterations) + " iterations  residual " +
+            number(last_newton.residual, 2);
         if (cut_backs_of_step > 0)
           text += "  " + std::to_string(cut_backs_of_step) + " cut-backs";
-        text += "  remaining about " + duration(wall.wall_time() * (1. - done) / done);
+        text += "  remaining about " +
+                duration(wall.wall_time() * (1. - done) / done);
         log.line(text);
         for (const auto &interface : model.interfaces)
           {
@@ -389,20 +387,19 @@ namespace Structure
   }
 
 
-
   template <int dim>
   void
   Simulation<dim>::write_step(const double step_size, const bool is_last)
   {
-    TimerOutput::Scope scope(timer, "output");
+    TimerOutput::Scope                          scope(timer, "output");
     std::vector<std::pair<std::string, double>> row = {
-      {"step", step},
-      {"time", time},
-      {"step_size", step_size},
-      {"iterations", last_newton.iterations},
-      {"linear_iterations", last_newton.linear_iterations},
-      {"cut_backs", cut_backs_of_step},
-      {"residual_relative", last_newton.residual}};
+        {"step", step},
+        {"time", time},
+        {"step_size", step_size},
+        {"iterations", last_newton.iterations},
+        {"linear_iterations", last_newton.linear_iterations},
+        {"cut_backs", cut_backs_of_step},
+        {"residual_relative", last_newton.residual}};
     for (const auto &interface : model.interfaces)
       {
         const auto       &r = interface->report();
@@ -410,7 +407,8 @@ namespace Structure
         for (unsigned int i = 0; i < dim; ++i)
           row.emplace_back(n + "force_" + "xyz"[i], r.force[i]);
         row.emplace_back(n + "largest_penetration", r.largest_penetration);
-        row.emplace_back(n + "penetration_over_release", r.relative_penetration);
+        row.emplace_back(n + "penetration_over_release",
+                         r.relative_penetration);
         row.emplace_back(n + "mean_penetration", r.mean_penetration);
         row.emplace_back(n + "largest_overlap", r.largest_overlap);
         row.emplace_back(n + "active_area", r.active_area);
@@ -419,9 +417,9 @@ namespace Structure
         row.emplace_back(n + "released_facets", r.n_released);
         row.emplace_back(n + "remaining_overlap_share",
                          MortarContact::removal_share(
-                           interface->parameters.initial_penetration,
-                           time,
-                           interface->parameters.removal_time));
+                             interface->parameters.initial_penetration,
+                             time,
+                             interface->parameters.removal_time));
       }
     for (unsigned int c = 0; c < model.conditions.size(); ++c)
       if (model.conditions[c].type == BoundaryCondition::Type::displacement ||
@@ -430,7 +428,7 @@ namespace Structure
           const Tensor<1, 3> f = model.reaction(c);
           for (unsigned int i = 0; i < dim; ++i)
             row.emplace_back("reaction:" + model.conditions[c].name + "_" +
-                               "xyz"[i],
+                                 "xyz"[i],
                              f[i]);
         }
     for (unsigned int p = 0; p < scene.output.probes.size(); ++p)
@@ -438,7 +436,7 @@ namespace Structure
         const Tensor<1, dim> v = probe(p);
         for (unsigned int i = 0; i < dim; ++i)
           row.emplace_back("probe:" + scene.output.probes[p].name + "_" +
-                             "xyz"[i],
+                               "xyz"[i],
                            v[i]);
       }
     output.history(row);
@@ -452,17 +450,16 @@ namespace Structure
   }
 
 
-
   template <int dim>
   void
   Simulation<dim>::write_checkpoint()
   {
     // Into a new folder first: the previous checkpoint stays valid until this
     // one is complete on all ranks.
-    namespace fs = std::filesystem;
-    const std::string  folder  = output.directory + "/checkpoint";
-    const std::string  fresh   = folder + ".new";
-    const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator);
+    namespace fs              = std::filesystem;
+    const std::string  folder = output.directory + "/checkpoint";
+    const std::string  fresh  = folder + ".new";
+    const unsigned int rank   = Utilities::MPI::this_mpi_process(communicator);
     if (rank == 0)
       {
         fs::remove_all(fresh);
@@ -484,7 +481,7 @@ namespace Structure
       {
         boost::archive::binary_oarchive archive(out);
         archive &head &time &step &next_step &cut_backs &newton_iterations
-          &linear_iterations &values;
+            &linear_iterations &values;
       }
       for (const auto &interface : model.interfaces)
         interface->save(out);
@@ -504,20 +501,19 @@ namespace Structure
   }
 
 
-
   template <int dim>
   void
   Simulation<dim>::restart(const std::string &directory)
   {
     const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
     const std::string  file =
-      directory + "/checkpoint/rank-" + std::to_string(rank);
+        directory + "/checkpoint/rank-" + std::to_string(rank);
     std::string failure;
     {
-      std::ifstream       in(file, std::ios::binary);
-      CheckpointHead      head;
+      std::ifstream        in(file, std::ios::binary);
+      CheckpointHead       head;
       const CheckpointHead expected;
-      std::vector<double> values;
+      std::vector<double>  values;
       if (!in)
         failure = "there is no such file";
       else
@@ -525,8 +521,8 @@ namespace Structure
           {
             boost::archive::binary_iarchive archive(in);
             archive                        &head;
-            const unsigned int n_ranks =
-              Utilities::MPI::n_mpi_processes(communicator);
+            const unsigned int              n_ranks =
+                Utilities::MPI::n_mpi_processes(communicator);
             if (head.magic != expected.magic)
               failure = "it was written by another version";
             else if (head.n_ranks != n_ranks)
@@ -539,7 +535,7 @@ namespace Structure
             else
               {
                 archive &time &step &next_step &cut_backs &newton_iterations
-                  &linear_iterations &values;
+                    &linear_iterations &values;
                 if (values.size() != model.owned_dofs().n_elements())
                   failure = "it is damaged";
               }
@@ -568,11 +564,11 @@ namespace Structure
       output.resume(time);
     else
       output.start(used_parameters);
+    log.open(output.directory + "/run.log", directory == output.directory);
     (void)model.assemble(u, time, false);
     log.line("Restarted from '" + directory + "': step " +
              std::to_string(step) + ", time " + number(time));
   }
-
 
 
   template <int dim>
@@ -584,7 +580,7 @@ namespace Structure
     Utilities::System::MemoryStats memory;
     Utilities::System::get_memory_stats(memory);
     const double peak =
-      Utilities::MPI::sum(static_cast<double>(memory.VmHWM), communicator);
+        Utilities::MPI::sum(static_cast<double>(memory.VmHWM), communicator);
 
     nlohmann::json json;
     json["status"]            = status;
@@ -604,10 +600,10 @@ namespace Structure
       json["seconds"][name] = seconds;
     for (const auto &interface : model.interfaces)
       {
-        const auto     &r = interface->report();
-        nlohmann::json &j = json["interfaces"][interface->name];
-        j["force"]        = {r.force[0], r.force[1], r.force[2]};
-        j["moment"]       = {r.moment[0], r.moment[1], r.moment[2]};
+        const auto     &r             = interface->report();
+        nlohmann::json &j             = json["interfaces"][interface->name];
+        j["force"]                    = {r.force[0], r.force[1], r.force[2]};
+        j["moment"]                   = {r.moment[0], r.moment[1], r.moment[2]};
         j["largest_penetration"]      = r.largest_penetration;
         j["penetration_over_release"] = r.relative_penetration;
         j["mean_penetration"]         = r.mean_penetration;
@@ -624,7 +620,7 @@ namespace Structure
     for (unsigned int c = 0; c < model.conditions.size(); ++c)
       if (model.conditions[c].type == BoundaryCondition::Type::displacement)
         {
-          const Tensor<1, 3> f = model.reaction(c);
+          const Tensor<1, 3> f                        = model.reaction(c);
           json["reactions"][model.conditions[c].name] = {f[0], f[1], f[2]};
         }
     for (unsigned int p = 0; p < scene.output.probes.size(); ++p)
@@ -643,7 +639,6 @@ namespace Structure
     table << "  peak memory " << peak / 1e6 << " GB";
     log.line(table.str());
   }
-
 
 
   template class Simulation<2>;

@@ -38,10 +38,13 @@ namespace Structure
                const MPI_Comm     communicator,
                Log               &log);
 
-    /// Build the model and report it: bodies, dofs, interfaces, initial
-    /// penetrations.
+    /// Build the model.
     void
     setup();
+
+    /// Log what was built: bodies, dofs, interfaces, initial penetrations.
+    void
+    report_setup();
 
     /// Continue from a checkpoint in @p directory. After setup().
     void
@@ -54,26 +57,23 @@ namespace Structure
     /// Called after each accepted step, for tests and for drivers.
     std::function<void(Simulation<dim> &)> after_step;
 
-    const Scene      scene;
-    const MPI_Comm   communicator;
-    TimerOutput      timer;
-    Model<dim>       model;
-    Vector_t         u;    ///< Displacements of the last accepted state.
-    double           time = 0.;
-    unsigned int     step = 0;          ///< Accepted steps.
-    unsigned int     cut_backs = 0;
-    unsigned int     newton_iterations = 0; ///< Also of rejected steps.
-    unsigned int     linear_iterations = 0;
-    NewtonResult     last_newton; ///< Of the last accepted step.
+    const Scene    scene;
+    const MPI_Comm communicator;
+    TimerOutput    timer;
+    Model<dim>     model;
+    Vector_t       u; ///< Displacements of the last accepted state.
+    double         time              = 0.;
+    unsigned int   step              = 0; ///< Accepted steps.
+    unsigned int   cut_backs         = 0;
+    unsigned int   newton_iterations = 0; ///< Also of rejected steps.
+    unsigned int   linear_iterations = 0;
+    NewtonResult   last_newton; ///< Of the last accepted step.
 
     /// Displacement of a probe.
     Tensor<1, dim>
     probe(const unsigned int p) const;
 
   private:
-    void
-    report_setup();
-
     /// One try; empty: accepted.
     std::string
     try_step(const double new_time);
@@ -87,10 +87,10 @@ namespace Structure
     void
     write_summary(const std::string &status);
 
-    std::string used_parameters;
-    Log        &log;
-    Output<dim> output;
-    double      next_step = 0.; ///< Size of the next step.
+    std::string  used_parameters;
+    Log         &log;
+    Output<dim>  output;
+    double       next_step         = 0.; ///< Size of the next step.
     unsigned int cut_backs_of_step = 0;
     Timer        wall;
     std::vector<std::array<types::global_dof_index, dim>> probe_dofs;

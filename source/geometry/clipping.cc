@@ -60,7 +60,7 @@ namespace MortarContact
         {
           const OverlapVertex<3> &from = polygon.vertices[k];
           const OverlapVertex<3> &to =
-            polygon.vertices[(k + 1) % polygon.n_vertices];
+              polygon.vertices[(k + 1) % polygon.n_vertices];
           const double d_from = distance(from);
           const double d_to   = distance(to);
           const bool   in     = d_from >= -tolerance;
@@ -77,11 +77,11 @@ namespace MortarContact
           crossing.is_crossing = true;
           crossing.first       = from.edge;
           crossing.second      = line;
-          crossing.y = from.y + d_from / (d_from - d_to) * (to.y - from.y);
+          crossing.y    = from.y + d_from / (d_from - d_to) * (to.y - from.y);
           crossing.edge = in ? line : from.edge;
 
           bool              is_corner = false;
-          const FacetVertex corner    = common_vertex(from.edge, line, is_corner);
+          const FacetVertex corner = common_vertex(from.edge, line, is_corner);
           if (is_corner)
             {
               crossing.is_crossing = false;
@@ -95,16 +95,14 @@ namespace MortarContact
   } // namespace
 
 
-
   template <>
   double
   area<2>(const Overlap<2> &overlap)
   {
     return (overlap.n_vertices == 0) ?
-             0. :
-             overlap.vertices[1].y[0] - overlap.vertices[0].y[0];
+               0. :
+               overlap.vertices[1].y[0] - overlap.vertices[0].y[0];
   }
-
 
 
   template <>
@@ -120,7 +118,6 @@ namespace MortarContact
   }
 
 
-
   template <>
   ConvexPieces<2>
   convex_pieces<2>(const unsigned int, const PlaneFacet<2> &y)
@@ -128,7 +125,7 @@ namespace MortarContact
     ConvexPieces<2> result;
     if (y[0] == y[1])
       return result;
-    result.n_pieces            = 1;
+    result.n_pieces             = 1;
     result.pieces[0].n_vertices = 2;
     if (y[0][0] < y[1][0])
       result.pieces[0].vertices = {{0, 1}};
@@ -138,20 +135,19 @@ namespace MortarContact
   }
 
 
-
   template <>
   ConvexPieces<3>
   convex_pieces<3>(const unsigned int n, const PlaneFacet<3> &y)
   {
     ConvexPieces<3> result;
     const double    twice_area =
-      (n == 3) ? turn(y[0], y[1], y[2]) :
-                 turn(y[0], y[1], y[2]) + turn(y[0], y[2], y[3]);
+        (n == 3) ? turn(y[0], y[1], y[2]) :
+                      turn(y[0], y[1], y[2]) + turn(y[0], y[2], y[3]);
     // written so that NaN has no area
     if (!(std::abs(twice_area) > 0.))
       return result;
 
-    const bool reversed  = twice_area < 0.;
+    const bool reversed = twice_area < 0.;
     // Vertices are given modulo 4.
     const auto add_piece = [&](const unsigned int                n_corners,
                                const std::array<unsigned int, 4> corners) {
@@ -169,7 +165,8 @@ namespace MortarContact
 
     unsigned int n_reentrant = 0, reentrant = 0;
     for (unsigned int a = 0; a < 4; ++a)
-      if (turn(y[(a + 3) % 4], y[a], y[(a + 1) % 4]) / twice_area < -flat_corner)
+      if (turn(y[(a + 3) % 4], y[a], y[(a + 1) % 4]) / twice_area <
+          -flat_corner)
         {
           ++n_reentrant;
           reentrant = a;
@@ -180,12 +177,11 @@ namespace MortarContact
     else if (n_reentrant == 1)
       // the diagonal from the re-entrant corner cuts the facet in two triangles
       for (const unsigned int second : {1u, 2u})
-        add_piece(
-          3, {{reentrant, reentrant + second, reentrant + second + 1, 0}});
+        add_piece(3,
+                  {{reentrant, reentrant + second, reentrant + second + 1, 0}});
     // else: folded like a bow tie
     return result;
   }
-
 
 
   template <>
@@ -216,7 +212,6 @@ namespace MortarContact
   }
 
 
-
   template <>
   Overlap<3>
   clip<3>(const PlaneFacet<3>  &secondary,
@@ -230,7 +225,7 @@ namespace MortarContact
       {
         const unsigned int from = primary_piece.vertices[k];
         const unsigned int to =
-          primary_piece.vertices[(k + 1) % primary_piece.n_vertices];
+            primary_piece.vertices[(k + 1) % primary_piece.n_vertices];
         OverlapVertex<3> vertex;
         vertex.y      = primary[from];
         vertex.origin = {Side::primary, from};
@@ -242,9 +237,9 @@ namespace MortarContact
          ++k)
       {
         const FacetLine line = {
-          Side::secondary,
-          secondary_piece.vertices[k],
-          secondary_piece.vertices[(k + 1) % secondary_piece.n_vertices]};
+            Side::secondary,
+            secondary_piece.vertices[k],
+            secondary_piece.vertices[(k + 1) % secondary_piece.n_vertices]};
         polygon = clip_by_line(polygon, secondary, line, tolerance);
       }
     if (polygon.n_vertices < 3)

@@ -22,7 +22,6 @@ namespace MortarContact
   } // namespace
 
 
-
   template <int dim>
   std::optional<PlanePoint<dim>>
   inverse_map(const unsigned int     n_vertices,
@@ -40,10 +39,9 @@ namespace MortarContact
           residual -= N[a] * vertices[a];
 
         const Tensor<2, dim - 1> J =
-          plane_jacobian<dim>(n_vertices, vertices, xi);
-        const double det = determinant(J);
-        const double scale =
-          (dim == 2) ? std::abs(J[0][0]) : J.norm_square();
+            plane_jacobian<dim>(n_vertices, vertices, xi);
+        const double det   = determinant(J);
+        const double scale = (dim == 2) ? std::abs(J[0][0]) : J.norm_square();
         // written so that NaN is degenerate
         if (!(std::abs(det) > degenerate * scale))
           return {};
@@ -59,9 +57,12 @@ namespace MortarContact
   }
 
 
-
   template std::optional<PlanePoint<2>>
-  inverse_map<2>(const unsigned int, const PlaneFacet<2> &, const PlanePoint<2> &);
+  inverse_map<2>(const unsigned int,
+                 const PlaneFacet<2> &,
+                 const PlanePoint<2> &);
   template std::optional<PlanePoint<3>>
-  inverse_map<3>(const unsigned int, const PlaneFacet<3> &, const PlanePoint<3> &);
+  inverse_map<3>(const unsigned int,
+                 const PlaneFacet<3> &,
+                 const PlanePoint<3> &);
 } // namespace MortarContact

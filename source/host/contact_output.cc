@@ -21,7 +21,7 @@ namespace MortarContact
         for (const FacetState<dim> &state : states)
           {
             DataOutBase::Patch<dim - 1, dim> patch;
-            const unsigned int n = state.current.n_vertices;
+            const unsigned int               n = state.current.n_vertices;
             patch.reference_cell = (dim == 2) ? ReferenceCells::Line :
                                    (n == 3)   ? ReferenceCells::Triangle :
                                                 ReferenceCells::Quadrilateral;
@@ -65,10 +65,10 @@ namespace MortarContact
   } // namespace
 
 
-
   template <int dim>
   std::vector<FacetState<dim>>
-  facet_states(const ContactInterface<dim> &contact, const MPI_Comm communicator)
+  facet_states(const ContactInterface<dim> &contact,
+               const MPI_Comm               communicator)
   {
     // Step 1: forces on the vertices of all facets, by side, from all sweeps:
     // the share that each sweep carries has no meaning of its own.
@@ -84,19 +84,19 @@ namespace MortarContact
       for (const auto &pair : contact.sweep(i).active_pairs())
         for (unsigned int role = 0; role < 2; ++role)
           {
-            const unsigned int   side = (role == 0) ? i : 1 - i;
-            const unsigned int   f = (role == 0) ? pair.secondary : pair.primary;
+            const unsigned int side = (role == 0) ? i : 1 - i;
+            const unsigned int f = (role == 0) ? pair.secondary : pair.primary;
             const Tensor<1, dim> w =
-              centre_normal(contact.surface(side).skin.facets[f].current);
+                centre_normal(contact.surface(side).skin.facets[f].current);
             for (unsigned int a = 0; a < V; ++a)
               for (unsigned int c = 0; c < dim; ++c)
                 force[side][f * V + a] +=
-                  pair.block
-                    .residual[role * max_facet_components<dim> + a * dim + c] *
-                  w[c] / w.norm();
+                    pair.block.residual[role * max_facet_components<dim> +
+                                        a * dim + c] *
+                    w[c] / w.norm();
             double &d        = depth[side][2 * f];
             double &relative = depth[side][2 * f + 1];
-            d        = std::max(d, pair.block.penetration);
+            d                = std::max(d, pair.block.penetration);
             relative = std::max(relative, pair.block.relative_penetration);
           }
 
@@ -127,7 +127,7 @@ namespace MortarContact
             state.reference   = skin.facets[f].reference;
             state.penetration = depth[side][2 * f];
             state.relative =
-              depth[side][2 * f + 1] / contact.parameters.largest_share();
+                depth[side][2 * f + 1] / contact.parameters.largest_share();
             state.side  = side;
             state.label = surface.labels[f];
             for (unsigned int a = 0; a < state.current.n_vertices; ++a)
@@ -142,7 +142,6 @@ namespace MortarContact
   }
 
 
-
   template <int dim>
   void
   write_contact_vtu(const ContactInterface<dim> &contact,
@@ -154,10 +153,8 @@ namespace MortarContact
       return;
     std::ofstream out(file);
     SkinOutput<dim>(states).write_vtu(out);
-    AssertThrow(out,
-                ExcMessage("The file '" + file + "' cannot be written."));
+    AssertThrow(out, ExcMessage("The file '" + file + "' cannot be written."));
   }
-
 
 
   template std::vector<FacetState<2>>

@@ -39,19 +39,18 @@ namespace MortarContact
     for (const auto &f : facets)
       {
         ContactFacet<dim> facet;
-        facet.reference.n_vertices = f.n_vertices;
+        facet.reference.n_vertices                           = f.n_vertices;
         std::array<unsigned int, max_vertices<dim>> of_facet = {};
         std::array<unsigned int, max_vertices<dim>> keys     = {};
         for (unsigned int a = 0; a < f.n_vertices; ++a)
           {
             const SurfaceVertex<dim> &v = f.vertices[a];
-            const auto                inserted =
-              numbers.try_emplace(v.key(), vertices.size());
+            const auto inserted = numbers.try_emplace(v.key(), vertices.size());
             if (inserted.second)
               vertices.push_back(v);
-            of_facet[a]            = inserted.first->second;
-            keys[a]                = v.key();
-            facet.reference.x[a]   = v.reference;
+            of_facet[a]          = inserted.first->second;
+            keys[a]              = v.key();
+            facet.reference.x[a] = v.reference;
           }
         facet.current        = facet.reference;
         facet.surface_offset = stiffness.offset;
@@ -63,14 +62,14 @@ namespace MortarContact
         cell_modulus.push_back(stiffness.modulus > 0. ? stiffness.modulus :
                                                         f.modulus);
         cell_length.push_back(
-          stiffness.length > 0. ?
-            stiffness.length :
-            (stiffness.use_shortest_edge ? f.shortest_edge : f.length));
+            stiffness.length > 0. ?
+                stiffness.length :
+                (stiffness.use_shortest_edge ? f.shortest_edge : f.length));
       }
 
     // Step 3: compliance l/K and length at the vertices.
-    std::vector<double> total_area(vertices.size()), compliance(vertices.size()),
-      length(vertices.size());
+    std::vector<double> total_area(vertices.size()),
+        compliance(vertices.size()), length(vertices.size());
     for (unsigned int f = 0; f < facets.size(); ++f)
       {
         const double a = area(skin.facets[f].reference);
@@ -85,19 +84,18 @@ namespace MortarContact
     for (unsigned int f = 0; f < facets.size(); ++f)
       for (unsigned int v = 0; v < facets[f].n_vertices; ++v)
         {
-          const unsigned int i            = facet_vertices[f][v];
+          const unsigned int i         = facet_vertices[f][v];
           skin.facets[f].compliance[v] = compliance[i] / total_area[i];
           skin.facets[f].length[v]     = length[i] / total_area[i];
         }
   }
 
 
-
   template <int dim>
   Tensor<1, dim>
   ContactSurface<dim>::position(
-    const SurfaceVertex<dim>                             &v,
-    const std::function<double(types::global_dof_index)> &displacement) const
+      const SurfaceVertex<dim>                             &v,
+      const std::function<double(types::global_dof_index)> &displacement) const
   {
     Tensor<1, dim> x = v.reference;
     for (const auto &entry : v.row)
@@ -107,11 +105,10 @@ namespace MortarContact
   }
 
 
-
   template <int dim>
   std::vector<Facet<dim>>
   ContactSurface<dim>::moved(
-    const std::function<double(types::global_dof_index)> &displacement) const
+      const std::function<double(types::global_dof_index)> &displacement) const
   {
     std::vector<Tensor<1, dim>> x;
     x.reserve(vertices.size());
@@ -128,17 +125,15 @@ namespace MortarContact
   }
 
 
-
   template <int dim>
   void
   ContactSurface<dim>::move(
-    const std::function<double(types::global_dof_index)> &displacement)
+      const std::function<double(types::global_dof_index)> &displacement)
   {
     const std::vector<Facet<dim>> facets = moved(displacement);
     for (unsigned int f = 0; f < facets.size(); ++f)
       skin.facets[f].current = facets[f];
   }
-
 
 
   template <int dim>
@@ -153,7 +148,6 @@ namespace MortarContact
     result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
   }
-
 
 
   template class ContactSurface<2>;

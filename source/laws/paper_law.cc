@@ -33,7 +33,6 @@ namespace MortarContact
   } // namespace
 
 
-
   PaperLaw::PaperLaw(const PressureCurve curve,
                      const double        scale,
                      const double        stiffening,
@@ -47,7 +46,6 @@ namespace MortarContact
     , cubic((stiffening - 1.) * base_curve(curve, x_m).pressure)
     , at_largest(curve_at(x_m))
   {}
-
 
 
   NormalResponse
@@ -64,7 +62,6 @@ namespace MortarContact
       }
     return f;
   }
-
 
 
   NormalResponse
@@ -89,7 +86,6 @@ namespace MortarContact
   }
 
 
-
   double
   PaperLaw::inverse(const double pressure) const
   {
@@ -105,7 +101,7 @@ namespace MortarContact
     double depth = 0.5 * (low + high);
     for (unsigned int i = 0; i < 200; ++i)
       {
-        const NormalResponse r = normalised(depth);
+        const NormalResponse r               = normalised(depth);
         (r.pressure < pressure ? low : high) = depth;
         double next = depth - (r.pressure - pressure) / r.stiffness;
         if (!(next > low && next < high))

@@ -37,7 +37,8 @@ namespace MortarContact
       for (unsigned int f = 0; f < from.size(); ++f)
         for (unsigned int a = 0; a < from[f].n_vertices; ++a)
           result = std::max(
-            result, (skin.facets[f].current.x[a] - from[f].x[a]).norm_square());
+              result,
+              (skin.facets[f].current.x[a] - from[f].x[a]).norm_square());
       return std::sqrt(result);
     }
 
@@ -49,7 +50,6 @@ namespace MortarContact
                                facet.length.begin() + facet.current.n_vertices);
     }
   } // namespace
-
 
 
   template <int dim>
@@ -71,9 +71,9 @@ namespace MortarContact
         if (secondary.is_owned[f])
           owned.push_back(f);
       }
-    margin = margin_share * sum / std::max<std::size_t>(1, secondary.facets.size());
+    margin =
+        margin_share * sum / std::max<std::size_t>(1, secondary.facets.size());
   }
-
 
 
   template <int dim>
@@ -85,7 +85,6 @@ namespace MortarContact
   }
 
 
-
   template <int dim>
   bool
   ContactSweep<dim>::needs_search() const
@@ -94,10 +93,9 @@ namespace MortarContact
         searched_p.size() != primary.facets.size())
       return true;
     return largest_motion(secondary, searched_s) +
-             largest_motion(primary, searched_p) >
+               largest_motion(primary, searched_p) >
            margin;
   }
-
 
 
   template <int dim>
@@ -113,7 +111,9 @@ namespace MortarContact
       boxes.push_back(box_around(f));
     const BroadPhase<dim> broad_phase(boxes);
 
-    const PairFilter<dim> filter(secondary, primary, kernel.options.zero_cosine);
+    const PairFilter<dim> filter(secondary,
+                                 primary,
+                                 kernel.options.zero_cosine);
     pairs.clear();
     for (const unsigned int f : owned)
       {
@@ -131,7 +131,6 @@ namespace MortarContact
   }
 
 
-
   template <int dim>
   FacetOffset<dim>
   ContactSweep<dim>::offset_of(const unsigned int o, const double share) const
@@ -141,11 +140,10 @@ namespace MortarContact
       {
         offset.share = share;
         offset.level = extrapolate_to_vertices<dim>(
-          secondary.facets[owned[o]].current.n_vertices, history.level[o]);
+            secondary.facets[owned[o]].current.n_vertices, history.level[o]);
       }
     return offset;
   }
-
 
 
   template <int dim>
@@ -154,7 +152,6 @@ namespace MortarContact
   {
     return !history.released.empty() && history.released[o];
   }
-
 
 
   template <int dim>
@@ -167,10 +164,9 @@ namespace MortarContact
     last_counts.degenerate += block.is_degenerate;
     last_counts.beyond += block.n_beyond > 0;
     last_counts.smallest_gap =
-      std::min(last_counts.smallest_gap, block.smallest_gap);
+        std::min(last_counts.smallest_gap, block.smallest_gap);
     last_counts.overlap = std::max(last_counts.overlap, block.overlap);
   }
-
 
 
   template <int dim>
@@ -193,7 +189,7 @@ namespace MortarContact
         const unsigned int        f     = owned[o];
         const ContactFacet<dim>  &facet = secondary.facets[f];
         const SecondaryFrame<dim> frame(facet.current);
-        const FacetOffset<dim>    offset = offset_of(o, share);
+        const FacetOffset<dim>    offset  = offset_of(o, share);
         const bool                dropped = is_released(o);
         for (; next < pairs.size() && pairs[next].first == f; ++next)
           {
@@ -221,10 +217,10 @@ namespace MortarContact
   }
 
 
-
   template <int dim>
   void
-  ContactSweep<dim>::evaluate_points(const double share, const bool with_tangent)
+  ContactSweep<dim>::evaluate_points(const double share,
+                                     const bool   with_tangent)
   {
     unsigned int next = 0;
     for (unsigned int o = 0; o < owned.size() && next < pairs.size(); ++o)
@@ -246,32 +242,33 @@ namespace MortarContact
           active.push_back({f, pairs[k].second, {}});
 
         // each point belongs to the nearest facet that it hits
-        for (const auto &[xi, w] : kernel.fixed_points(facet.current.n_vertices))
+        for (const auto &[xi, w] :
+             kernel.fixed_points(facet.current.n_vertices))
           {
             std::optional<typename PairKernel<dim>::Hit> best;
             unsigned int                                 best_pair = 0;
             for (unsigned int k = first; k < next; ++k)
               {
                 const auto hit =
-                  kernel.hit(frame, xi, primary.facets[pairs[k].second]);
-                if (hit && (!best || std::abs(hit->depth) <
-                                       std::abs(best->depth)))
+                    kernel.hit(frame, xi, primary.facets[pairs[k].second]);
+                if (hit &&
+                    (!best || std::abs(hit->depth) < std::abs(best->depth)))
                   {
                     best      = hit;
                     best_pair = k;
                   }
               }
             if (best)
-              kernel.add_fixed_point(frame,
-                                     facet,
-                                     offset,
-                                     primary.facets[pairs[best_pair].second],
-                                     xi,
-                                     best->eta,
-                                     weight * w,
-                                     with_tangent,
-                                     active[first_active + best_pair - first]
-                                       .block);
+              kernel.add_fixed_point(
+                  frame,
+                  facet,
+                  offset,
+                  primary.facets[pairs[best_pair].second],
+                  xi,
+                  best->eta,
+                  weight * w,
+                  with_tangent,
+                  active[first_active + best_pair - first].block);
           }
 
         std::size_t kept = first_active;
@@ -290,7 +287,6 @@ namespace MortarContact
         active.resize(kept);
       }
   }
-
 
 
   template <int dim>
@@ -331,7 +327,6 @@ namespace MortarContact
   }
 
 
-
   template <int dim>
   typename ContactSweep<dim>::FacetDepths
   ContactSweep<dim>::depths_of(const unsigned int               f,
@@ -350,7 +345,7 @@ namespace MortarContact
       const auto d = depth_at(frame, xi, f, among, deepest);
       if (d && (!result.deepest || d->depth > result.deepest->depth))
         {
-          result.deepest  = d;
+          result.deepest = d;
           result.position = interpolate(facet, shape_values<dim>(n, xi));
         }
       return d;
@@ -367,13 +362,12 @@ namespace MortarContact
   }
 
 
-
   template <int dim>
   InitialFindings<dim>
   ContactSweep<dim>::detect_initial(const InitialTreatment &treatment)
   {
     // Penetrations beyond what is treated must be found to be reported.
-    constexpr double look_deeper = 2.;
+    constexpr double      look_deeper = 2.;
     std::vector<Box<dim>> boxes;
     for (const auto &p : primary.facets)
       boxes.push_back(box_around(p.current));
@@ -389,9 +383,9 @@ namespace MortarContact
         const ContactFacet<dim> &facet = secondary.facets[f];
         const unsigned int       n     = facet.current.n_vertices;
         const double             l     = largest(facet);
-        const double             range =
-          look_deeper * ((treatment.deepest > 0.) ? treatment.deepest :
-                                                    treatment.largest_share * l);
+        const double range = look_deeper * ((treatment.deepest > 0.) ?
+                                                treatment.deepest :
+                                                treatment.largest_share * l);
         const SecondaryFrame<dim> frame(facet.current);
         Box<dim>                  box = box_around(facet.current);
         for (unsigned int a = 0; a < n; ++a)
@@ -403,7 +397,7 @@ namespace MortarContact
                                   near.end(),
                                   [&](const unsigned int p) {
                                     return PairFilter<dim>::share_vertex(
-                                      secondary, f, primary, p);
+                                        secondary, f, primary, p);
                                   }),
                    near.end());
         if (near.empty())
@@ -417,9 +411,9 @@ namespace MortarContact
 
         // Step 3: too deep to be treated?
         const double limit =
-          (treatment.deepest > 0.) ?
-            treatment.deepest :
-            treatment.largest_share * deepest->stiffness.length;
+            (treatment.deepest > 0.) ?
+                treatment.deepest :
+                treatment.largest_share * deepest->stiffness.length;
         if (deepest->depth > limit)
           {
             ++findings.n_too_deep;
@@ -450,18 +444,17 @@ namespace MortarContact
           history.level.resize(owned.size(), VertexValues<dim>{});
         for (unsigned int q = 0; q < depths.at_points.size(); ++q)
           {
-            const Depth  at        = *depths.of_point(q);
+            const Depth  at = *depths.of_point(q);
             const double remaining =
-              at.stiffness.length *
-              law.inverse(treatment.remaining_pressure / at.stiffness.modulus);
+                at.stiffness.length * law.inverse(treatment.remaining_pressure /
+                                                  at.stiffness.modulus);
             history.level[o][q] =
-              (at.depth > 0.) ? at.depth - remaining : at.depth;
+                (at.depth > 0.) ? at.depth - remaining : at.depth;
           }
       }
     restore(history);
     return findings;
   }
-
 
 
   template <int dim>
@@ -476,7 +469,6 @@ namespace MortarContact
   }
 
 
-
   template <int dim>
   std::vector<unsigned int>
   ContactSweep<dim>::too_deep(const double largest_share) const
@@ -488,7 +480,6 @@ namespace MortarContact
           facets.push_back(pair.secondary);
     return facets;
   }
-
 
 
   template <int dim>
@@ -520,7 +511,7 @@ namespace MortarContact
               // out of sight is open
               const std::optional<Depth> &d = depths.of_point(q);
               history.level[o][q] =
-                std::min(history.level[o][q], d ? d->depth : 0.);
+                  std::min(history.level[o][q], d ? d->depth : 0.);
             }
         const bool is_open = !depths.deepest || depths.deepest->depth <= 0.;
         if (is_released(o) && is_open)
@@ -536,7 +527,6 @@ namespace MortarContact
                            owned.begin()] = true;
       }
   }
-
 
 
   template <int dim>
@@ -556,7 +546,9 @@ namespace MortarContact
           extend(boxes.back(), moved_p[p].x[a]);
       }
     const BroadPhase<dim> broad_phase(boxes);
-    const PairFilter<dim> filter(secondary, primary, kernel.options.zero_cosine);
+    const PairFilter<dim> filter(secondary,
+                                 primary,
+                                 kernel.options.zero_cosine);
 
     for (const unsigned int f : owned)
       {
@@ -564,39 +556,38 @@ namespace MortarContact
         const Tensor<1, dim>     w     = centre_normal(facet.current);
         const Tensor<1, dim>     n     = w / w.norm();
         Box<dim>                 box   = box_around(facet.current);
-        double advance = std::numeric_limits<double>::lowest();
-        double front   = advance;
+        double advance                 = std::numeric_limits<double>::lowest();
+        double front                   = advance;
         for (unsigned int a = 0; a < facet.current.n_vertices; ++a)
           {
             extend(box, moved_s[f].x[a]);
-            front   = std::max(front, n * facet.current.x[a]);
-            advance = std::max(advance,
-                               n * (moved_s[f].x[a] - facet.current.x[a]));
+            front = std::max(front, n * facet.current.x[a]);
+            advance =
+                std::max(advance, n * (moved_s[f].x[a] - facet.current.x[a]));
           }
         for (const unsigned int p : broad_phase.find(box))
           {
             if (!filter.face_each_other(f, p))
               continue;
-            const Facet<dim> &other = primary.facets[p].current;
-            double gap      = std::numeric_limits<double>::max();
-            double approach = gap;
+            const Facet<dim> &other    = primary.facets[p].current;
+            double            gap      = std::numeric_limits<double>::max();
+            double            approach = gap;
             for (unsigned int a = 0; a < other.n_vertices; ++a)
               {
                 gap = std::min(gap, n * other.x[a] - front);
                 approach =
-                  std::min(approach, n * (moved_p[p].x[a] - other.x[a]));
+                    std::min(approach, n * (moved_p[p].x[a] - other.x[a]));
               }
             gap -= facet.surface_offset + primary.facets[p].surface_offset;
             const double closing = advance - approach;
             const double allowed =
-              std::max(gap, 0.) + safe_share * largest(facet);
+                std::max(gap, 0.) + safe_share * largest(facet);
             if (gap > -reach(f) - diameter(other) && closing > allowed)
               step = std::min(step, allowed / closing);
           }
       }
     return step;
   }
-
 
 
   template class ContactSweep<2>;

@@ -25,7 +25,9 @@ namespace MortarContact
 
     template <std::size_t n>
     void
-    add(const double factor, const std::array<double, n> &v, std::array<double, n> &sum)
+    add(const double                 factor,
+        const std::array<double, n> &v,
+        std::array<double, n>       &sum)
     {
       for (std::size_t i = 0; i < n; ++i)
         sum[i] += factor * v[i];
@@ -34,8 +36,8 @@ namespace MortarContact
     /// sum += left right^T
     template <std::size_t n>
     void
-    add_outer(const std::array<double, n>           &left,
-              const std::array<double, n>           &right,
+    add_outer(const std::array<double, n>          &left,
+              const std::array<double, n>          &right,
               std::array<std::array<double, n>, n> &sum)
     {
       for (std::size_t i = 0; i < n; ++i)
@@ -55,7 +57,6 @@ namespace MortarContact
   } // namespace
 
 
-
   /// A contact point with the motion of its place and weight.
   template <int dim>
   struct PairKernel<dim>::Point
@@ -71,10 +72,9 @@ namespace MortarContact
   template <int dim>
   struct PairKernel<dim>::Sums
   {
-    Tensor<1, dim> curvature_across; ///< sum of W sigma d a
+    Tensor<1, dim> curvature_across;     ///< sum of W sigma d a
     double         curvature_along = 0.; ///< sum of W sigma d
   };
-
 
 
   template <int dim>
@@ -91,7 +91,6 @@ namespace MortarContact
         weights_1d.push_back(gauss.weight(q));
       }
   }
-
 
 
   template <int dim>
@@ -111,13 +110,12 @@ namespace MortarContact
           {
             // triangles: the square with one edge collapsed
             const double s = (n_vertices == 3) ? 1. - points_1d[r] : 1.;
-            points.emplace_back(
-              PlanePoint<dim>({s * points_1d[q], points_1d[r]}),
-              s * weights_1d[q] * weights_1d[r]);
+            points.emplace_back(PlanePoint<dim>(
+                                    {s * points_1d[q], points_1d[r]}),
+                                s * weights_1d[q] * weights_1d[r]);
           }
     return points;
   }
-
 
 
   template <int dim>
@@ -131,7 +129,6 @@ namespace MortarContact
       return in_series(c_s, l_s, c_p, l_p);
     return {l_s / c_s, l_s};
   }
-
 
 
   template <int dim>
@@ -150,7 +147,6 @@ namespace MortarContact
   }
 
 
-
   template <int dim>
   std::optional<typename PairKernel<dim>::Hit>
   PairKernel<dim>::hit(const SecondaryFrame<dim> &frame,
@@ -163,17 +159,16 @@ namespace MortarContact
     for (unsigned int a = 0; a < frame.facet.n_vertices; ++a)
       y += N[a] * frame.y[a];
     const auto eta =
-      inverse_map<dim>(primary.current.n_vertices, projected.y, y);
+        inverse_map<dim>(primary.current.n_vertices, projected.y, y);
     if (!eta ||
         !is_inside<dim>(primary.current.n_vertices, *eta, between_facets))
       return {};
     const double depth =
-      dot<dim>(N, frame.height) -
-      dot<dim>(shape_values<dim>(primary.current.n_vertices, *eta),
-               projected.height);
+        dot<dim>(N, frame.height) -
+        dot<dim>(shape_values<dim>(primary.current.n_vertices, *eta),
+                 projected.height);
     return Hit{*eta, depth};
   }
-
 
 
   template <int dim>
@@ -194,11 +189,10 @@ namespace MortarContact
     point.weight = weight * area_element(secondary.reference, xi);
     Sums sums;
     add_point(
-      frame, secondary, offset, primary, point, with_tangent, sums, block);
+        frame, secondary, offset, primary, point, with_tangent, sums, block);
     if (with_tangent)
       add_sums(frame, sums, block);
   }
-
 
 
   template <int dim>
@@ -217,14 +211,14 @@ namespace MortarContact
     // Step 1: overlaps in the secondary's plane.
     const ProjectedPrimary<dim> projected(frame, primary.current);
     const ConvexPieces<dim>     pieces_s = convex_pieces<dim>(n_s, frame.y);
-    const ConvexPieces<dim> pieces_p = convex_pieces<dim>(n_p, projected.y);
+    const ConvexPieces<dim>     pieces_p = convex_pieces<dim>(n_p, projected.y);
     if (pieces_s.n_pieces == 0 || pieces_p.n_pieces == 0)
       {
         block.is_degenerate = true;
         return;
       }
     const double minimum_area =
-      negligible_area * MortarContact::area(frame.facet);
+        negligible_area * MortarContact::area(frame.facet);
 
     std::optional<VertexMotion<dim>> vertex_motion;
     Sums                             sums;
@@ -266,7 +260,7 @@ namespace MortarContact
                   point.xi  = *xi;
                   point.eta = *eta;
                   const Tensor<2, dim - 1> J =
-                    plane_jacobian<dim>(n_s, frame.y, *xi);
+                      plane_jacobian<dim>(n_s, frame.y, *xi);
                   const double J0    = area_element(secondary.reference, *xi);
                   const double J_y   = determinant(J);
                   const double ratio = weight * q.weight * J0 / J_y;
@@ -277,9 +271,9 @@ namespace MortarContact
                   // back costs a little in vain.
                   const auto   N = shape_values<dim>(n_s, *xi);
                   const double depth =
-                    dot<dim>(N, frame.height) -
-                    dot<dim>(shape_values<dim>(n_p, *eta), projected.height) +
-                    secondary.surface_offset + primary.surface_offset;
+                      dot<dim>(N, frame.height) -
+                      dot<dim>(shape_values<dim>(n_p, *eta), projected.height) +
+                      secondary.surface_offset + primary.surface_offset;
                   if (with_tangent && depth > 0.)
                     {
                       if (!motion_known)
@@ -338,15 +332,15 @@ namespace MortarContact
                                 y_twist += twist[a] * frame.y[a];
                               }
                             const auto X_twist =
-                              interpolate(secondary.reference, twist);
+                                interpolate(secondary.reference, twist);
                             const auto X_0 =
-                              interpolate(secondary.reference, dN[0]);
+                                interpolate(secondary.reference, dN[0]);
                             const auto X_1 =
-                              interpolate(secondary.reference, dN[1]);
+                                interpolate(secondary.reference, dN[1]);
                             const auto m = cross_product_3d(X_0, X_1);
                             const std::array<double, 2> dJ0 = {
-                              {cross_product_3d(X_0, X_twist) * m / J0,
-                               cross_product_3d(X_twist, X_1) * m / J0}};
+                                {cross_product_3d(X_0, X_twist) * m / J0,
+                                 cross_product_3d(X_twist, X_1) * m / J0}};
                             for (unsigned int c = 0; c < 2; ++c)
                               {
                                 double log_dJ_y = 0.;
@@ -374,7 +368,6 @@ namespace MortarContact
   }
 
 
-
   template <int dim>
   void
   PairKernel<dim>::add_point(const SecondaryFrame<dim> &frame,
@@ -386,32 +379,31 @@ namespace MortarContact
                              Sums                      &sums,
                              PairBlock<dim>            &block) const
   {
-    const unsigned int        n_s = secondary.current.n_vertices;
-    const unsigned int        n_p = primary.current.n_vertices;
-    constexpr unsigned int    P   = max_facet_components<dim>;
-    constexpr unsigned int    T   = dim - 1;
-    const Tensor<1, dim>     &n   = frame.normal;
+    const unsigned int     n_s = secondary.current.n_vertices;
+    const unsigned int     n_p = primary.current.n_vertices;
+    constexpr unsigned int P   = max_facet_components<dim>;
+    constexpr unsigned int T   = dim - 1;
+    const Tensor<1, dim>  &n   = frame.normal;
 
     // Step 1: the two points and the penetration.
-    const auto           N_s  = shape_values<dim>(n_s, point.xi);
-    const auto           N_p  = shape_values<dim>(n_p, point.eta);
-    const auto           dN_s = shape_gradients<dim>(n_s, point.xi);
-    const auto           dN_p = shape_gradients<dim>(n_p, point.eta);
-    const Tensor<1, dim> x_s  = interpolate(secondary.current, N_s);
-    const Tensor<1, dim> x_p  = interpolate(primary.current, N_p);
+    const auto           N_s      = shape_values<dim>(n_s, point.xi);
+    const auto           N_p      = shape_values<dim>(n_p, point.eta);
+    const auto           dN_s     = shape_gradients<dim>(n_s, point.xi);
+    const auto           dN_p     = shape_gradients<dim>(n_p, point.eta);
+    const Tensor<1, dim> x_s      = interpolate(secondary.current, N_s);
+    const Tensor<1, dim> x_p      = interpolate(primary.current, N_p);
     const double         distance = n * (x_s - x_p);
 
-    const double level =
-      (offset.share > 0.) ? dot<dim>(N_s, offset.level) : 0.;
+    const double level = (offset.share > 0.) ? dot<dim>(N_s, offset.level) : 0.;
     const double overlap =
-      distance + secondary.surface_offset + primary.surface_offset;
+        distance + secondary.surface_offset + primary.surface_offset;
     const double d = overlap - MortarContact::offset(level, offset.share);
 
     // Step 2: stiffness and facing angle.
-    const double l_s = dot<dim>(N_s, secondary.length);
-    const double c_s = dot<dim>(N_s, secondary.compliance);
-    const double l_p = dot<dim>(N_p, primary.length);
-    const double c_p = dot<dim>(N_p, primary.compliance);
+    const double l_s    = dot<dim>(N_s, secondary.length);
+    const double c_s    = dot<dim>(N_s, secondary.compliance);
+    const double l_p    = dot<dim>(N_p, primary.length);
+    const double c_p    = dot<dim>(N_p, primary.compliance);
     const bool   series = options.stiffness_side == StiffnessSide::series;
     const ContactStiffness stiffness = combine(c_s, l_s, c_p, l_p);
 
@@ -443,13 +435,13 @@ namespace MortarContact
     if (!(d > 0.))
       return;
 
-    const double s = std::min(1.,
+    const double s      = std::min(1.,
                               (cosine - options.zero_cosine) /
-                                (options.full_cosine - options.zero_cosine));
+                                  (options.full_cosine - options.zero_cosine));
     const double facing = s * s * (3. - 2. * s);
 
     const NormalResponse r =
-      law->evaluate(d, stiffness.modulus, stiffness.length);
+        law->evaluate(d, stiffness.modulus, stiffness.length);
     const double W       = point.weight;
     const double sigma   = r.pressure * facing;
     const double W_sigma = W * sigma;
@@ -464,7 +456,7 @@ namespace MortarContact
         block.deepest_position = x_s;
       }
     block.relative_penetration =
-      std::max(block.relative_penetration, d / stiffness.length);
+        std::max(block.relative_penetration, d / stiffness.length);
 
     // Step 3: first variation. With the dual basis of (t_p, n),
     //   delta d = a . v,  delta eta_b = a_b . v,
@@ -510,7 +502,7 @@ namespace MortarContact
             const Tensor<1, dim> a_eta_dn = a_eta[c] * frame.dn[v];
             for (unsigned int i = 0; i < dim; ++i)
               deta[c][v * dim + i] =
-                N_s[v] * a_eta[c][i] - distance * a_eta_dn[i];
+                  N_s[v] * a_eta[c][i] - distance * a_eta_dn[i];
           }
         for (unsigned int v = 0; v < n_p; ++v)
           for (unsigned int i = 0; i < dim; ++i)
@@ -608,8 +600,7 @@ namespace MortarContact
         {
           const double c  = c_s + c_p;
           const double dl = (dcl - stiffness.length * dc) / c;
-          return dp_dl * dl +
-                 dp_dK * (dl - stiffness.modulus * dc) / c;
+          return dp_dl * dl + dp_dK * (dl - stiffness.modulus * dc) / c;
         }
       const double dl = (dcl - l_s * dc) / c_s;
       return dp_dl * dl + dp_dK * (dl - stiffness.modulus * dc) / c_s;
@@ -635,11 +626,11 @@ namespace MortarContact
     // Facing angle: cosine = -n . m / |m|.
     if (s < 1.)
       {
-        const double dfacing = 6. * s * (1. - s) /
-                               (options.full_cosine - options.zero_cosine);
+        const double dfacing =
+            6. * s * (1. - s) / (options.full_cosine - options.zero_cosine);
         const Tensor<1, dim> n_p_unit = m / m_norm;
         const Tensor<1, dim> across =
-          -(n + cosine * n_p_unit) / m_norm; // d(cosine)/dm
+            -(n + cosine * n_p_unit) / m_norm; // d(cosine)/dm
         PairVector<dim> dcosine = {};
         for (unsigned int v = 0; v < n_s; ++v)
           {
@@ -660,7 +651,7 @@ namespace MortarContact
             for (unsigned int v = 0; v < n_p; ++v)
               for (unsigned int i = 0; i < dim; ++i)
                 dcosine[P + v * dim + i] +=
-                  dN_p[0][v] * by_t0[i] + dN_p[1][v] * by_t1[i];
+                    dN_p[0][v] * by_t0[i] + dN_p[1][v] * by_t1[i];
             if (n_p == 4)
               {
                 Tensor<1, dim> twist;
@@ -678,7 +669,6 @@ namespace MortarContact
   }
 
 
-
   template <int dim>
   void
   PairKernel<dim>::add_sums(const SecondaryFrame<dim> &frame,
@@ -687,12 +677,11 @@ namespace MortarContact
   {
     // -distance a . d2n, with a . n = 1
     const auto curvature =
-      frame.normal_curvature(sums.curvature_across, sums.curvature_along);
+        frame.normal_curvature(sums.curvature_across, sums.curvature_along);
     for (unsigned int i = 0; i < max_facet_components<dim>; ++i)
       for (unsigned int j = 0; j < max_facet_components<dim>; ++j)
         block.tangent[i][j] -= curvature[i][j];
   }
-
 
 
   template <int dim>
@@ -704,13 +693,11 @@ namespace MortarContact
     for (unsigned int i = 0; i < max_pair_components<dim>; ++i)
       for (unsigned int j = 0; j < i; ++j)
         {
-          const double mean =
-            0.5 * (block.tangent[i][j] + block.tangent[j][i]);
+          const double mean = 0.5 * (block.tangent[i][j] + block.tangent[j][i]);
           block.tangent[i][j] = mean;
           block.tangent[j][i] = mean;
         }
   }
-
 
 
   template class PairKernel<2>;

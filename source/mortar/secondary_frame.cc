@@ -21,7 +21,6 @@ namespace MortarContact
   } // namespace
 
 
-
   template <int dim>
   SecondaryFrame<dim>::SecondaryFrame(const Facet<dim> &f)
     : facet(f)
@@ -82,7 +81,6 @@ namespace MortarContact
   }
 
 
-
   template <int dim>
   PlanePoint<dim>
   SecondaryFrame<dim>::project(const Tensor<1, dim> &x) const
@@ -93,7 +91,6 @@ namespace MortarContact
       result[c] = basis[c] * r;
     return result;
   }
-
 
 
   template <int dim>
@@ -107,11 +104,10 @@ namespace MortarContact
           const Tensor<1, dim> tilt = basis[c] * dn[a];
           for (unsigned int i = 0; i < dim; ++i)
             motion[c][a * dim + i] =
-              -basis[c][i] / facet.n_vertices - height * tilt[i];
+                -basis[c][i] / facet.n_vertices - height * tilt[i];
         }
     return motion;
   }
-
 
 
   template <int dim>
@@ -143,9 +139,9 @@ namespace MortarContact
       for (unsigned int b = 0; b < n; ++b)
         {
           Tensor<2, dim> block =
-            (outer_product(z[a], u[b]) + outer_product(u[a], z[b]) +
-             along * (transpose(dw[a]) * P_dw[b])) /
-            -w2;
+              (outer_product(z[a], u[b]) + outer_product(u[a], z[b]) +
+               along * (transpose(dw[a]) * P_dw[b])) /
+              -w2;
           if constexpr (dim == 3)
             block -= (p_of[a] * q_of[b] - q_of[a] * p_of[b]) * b_cross;
           for (unsigned int i = 0; i < dim; ++i)
@@ -154,7 +150,6 @@ namespace MortarContact
         }
     return result;
   }
-
 
 
   template struct SecondaryFrame<2>;

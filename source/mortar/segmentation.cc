@@ -13,7 +13,9 @@ namespace MortarContact
 
     template <std::size_t n>
     void
-    add(const double factor, const std::array<double, n> &v, std::array<double, n> &sum)
+    add(const double                 factor,
+        const std::array<double, n> &v,
+        std::array<double, n>       &sum)
     {
       for (std::size_t i = 0; i < n; ++i)
         sum[i] += factor * v[i];
@@ -37,7 +39,6 @@ namespace MortarContact
   } // namespace
 
 
-
   template <int dim>
   ProjectedPrimary<dim>::ProjectedPrimary(const SecondaryFrame<dim> &frame,
                                           const Facet<dim>          &facet)
@@ -50,7 +51,6 @@ namespace MortarContact
         height[b] = frame.normal * (facet.x[b] - frame.centre);
       }
   }
-
 
 
   template <int dim>
@@ -71,14 +71,13 @@ namespace MortarContact
                 d[i] = motion[c][i];
               for (unsigned int i = 0; i < dim; ++i)
                 d[side * max_facet_components<dim> + a * dim + i] +=
-                  frame.basis[c][i];
+                    frame.basis[c][i];
             }
         }
     };
     fill(frame.facet.n_vertices, frame.height, 0);
     fill(primary.facet.n_vertices, primary.height, 1);
   }
-
 
 
   template <int dim>
@@ -91,9 +90,9 @@ namespace MortarContact
         for (unsigned int k = 1; k + 1 < overlap.n_vertices; ++k)
           {
             const std::array<PlanePoint<dim>, 3> y = {
-              {overlap.vertices[0].y,
-               overlap.vertices[k].y,
-               overlap.vertices[k + 1].y}};
+                {overlap.vertices[0].y,
+                 overlap.vertices[k].y,
+                 overlap.vertices[k + 1].y}};
             const double a = twice_area(y);
             sum += a;
             centroid += a / 3. * (y[0] + y[1] + y[2]);
@@ -103,14 +102,12 @@ namespace MortarContact
   }
 
 
-
   template <int dim>
   unsigned int
   MortarSegments<dim>::n_simplices() const
   {
     return (dim == 2) ? 1 : overlap.n_vertices;
   }
-
 
 
   template <int dim>
@@ -125,7 +122,6 @@ namespace MortarContact
   }
 
 
-
   template <int dim>
   const PlanePoint<dim> &
   MortarSegments<dim>::corner(const unsigned int s, const unsigned int k) const
@@ -133,7 +129,6 @@ namespace MortarContact
     const unsigned int c = corner_index(s, k);
     return (c == max_corners - 1) ? centroid : overlap.vertices[c].y;
   }
-
 
 
   template <int dim>
@@ -147,14 +142,12 @@ namespace MortarContact
   }
 
 
-
   template <int dim>
   const PlaneMotion<dim> &
   MortarSegments<dim>::motion(const unsigned int s, const unsigned int k) const
   {
     return corner_motion[corner_index(s, k)];
   }
-
 
 
   template <int dim>
@@ -179,7 +172,6 @@ namespace MortarContact
   }
 
 
-
   template <int dim>
   void
   MortarSegments<dim>::compute_motion(const SecondaryFrame<dim>   &frame,
@@ -190,8 +182,8 @@ namespace MortarContact
       return (side == Side::secondary) ? frame.y[vertex] : primary.y[vertex];
     };
     const auto motion_of =
-      [&](const Side         side,
-          const unsigned int vertex) -> const PlaneMotion<dim> & {
+        [&](const Side         side,
+            const unsigned int vertex) -> const PlaneMotion<dim> & {
       return vertices.dy[static_cast<unsigned int>(side)][vertex];
     };
 
@@ -213,8 +205,8 @@ namespace MortarContact
             const auto line = [&](const FacetLine &l, PlaneMotion<dim> &p) {
               const PlanePoint<dim> from = position(l.side, l.from);
               const PlanePoint<dim> e    = position(l.side, l.to) - from;
-              const double t = (v.y - from) * e / e.norm_square();
-              p              = {};
+              const double          t    = (v.y - from) * e / e.norm_square();
+              p                          = {};
               for (unsigned int c = 0; c < 2; ++c)
                 {
                   add(1. - t, motion_of(l.side, l.from)[c], p[c]);
@@ -223,9 +215,9 @@ namespace MortarContact
               return e;
             };
             PlaneMotion<dim>      p_f;
-            const PlanePoint<dim> e = line(v.first, dv);
-            const PlanePoint<dim> f = line(v.second, p_f);
-            const PlanePoint<dim> m = cross_product_2d(f);
+            const PlanePoint<dim> e   = line(v.first, dv);
+            const PlanePoint<dim> f   = line(v.second, p_f);
+            const PlanePoint<dim> m   = cross_product_2d(f);
             const double          m_e = m * e;
             if (std::abs(m_e) > parallel * e.norm() * f.norm())
               {
@@ -245,15 +237,15 @@ namespace MortarContact
     // of a fan with areas a_k and centres m_k.
     if constexpr (dim == 3)
       {
-        double sum = 0.;
+        double                                              sum       = 0.;
         std::array<Tensor<2, 2>, max_overlap_vertices<dim>> by_vertex = {};
         for (unsigned int k = 1; k + 1 < overlap.n_vertices; ++k)
           {
             const std::array<unsigned int, 3>    v = {{0, k, k + 1}};
             const std::array<PlanePoint<dim>, 3> y = {
-              {overlap.vertices[v[0]].y,
-               overlap.vertices[v[1]].y,
-               overlap.vertices[v[2]].y}};
+                {overlap.vertices[v[0]].y,
+                 overlap.vertices[v[1]].y,
+                 overlap.vertices[v[2]].y}};
             std::array<PlanePoint<dim>, 3> da;
             const double                   a = twice_area(y, &da);
             sum += a;
@@ -273,7 +265,6 @@ namespace MortarContact
               add(by_vertex[k][c][j] / sum, corner_motion[k][j], dv[c]);
       }
   }
-
 
 
   template struct ProjectedPrimary<2>;

@@ -19,14 +19,13 @@ namespace MortarContact
   } // namespace
 
 
-
   std::string
   ContactReport::brief() const
   {
     std::ostringstream out;
     out.precision(4);
-    out << "'" << name << "': " << active_pairs << " pairs, force " << force.norm()
-        << ", penetration " << largest_penetration << " ("
+    out << "'" << name << "': " << active_pairs << " pairs, force "
+        << force.norm() << ", penetration " << largest_penetration << " ("
         << 100. * relative_penetration << " % of release)";
     if (n_too_deep > 0)
       out << ", " << n_too_deep << " facets beyond release";
@@ -34,7 +33,6 @@ namespace MortarContact
       out << ", " << n_released << " facets released so far";
     return out.str();
   }
-
 
 
   std::string
@@ -56,8 +54,8 @@ namespace MortarContact
       out << "  initial penetrations: " << initial.n_facets
           << " facets, deepest " << initial.deepest.penetration << " ("
           << 100. * initial.deepest.relative << " % of release), "
-          << in_words(initial.deepest) << "; treatment: "
-          << to_string(initial.treatment) << "\n";
+          << in_words(initial.deepest)
+          << "; treatment: " << to_string(initial.treatment) << "\n";
     if (initial.n_undetected > 0)
       out << "  WARNING: " << initial.n_undetected
           << " facets penetrate by more than the release depth at the start, "

@@ -21,7 +21,6 @@ namespace MortarContact
   } // namespace
 
 
-
   template <int dim>
   Box<dim>
   box_around(const Facet<dim> &facet)
@@ -31,7 +30,6 @@ namespace MortarContact
       extend(box, facet.x[a]);
     return box;
   }
-
 
 
   template <int dim>
@@ -46,7 +44,6 @@ namespace MortarContact
   }
 
 
-
   template <int dim>
   void
   inflate(Box<dim> &box, const double by)
@@ -59,14 +56,12 @@ namespace MortarContact
   }
 
 
-
   template <int dim>
   struct BroadPhase<dim>::Tree
   {
     using Leaf = std::pair<BoundingBox<dim>, unsigned int>;
     decltype(pack_rtree(std::vector<Leaf>())) rtree;
   };
-
 
 
   template <int dim>
@@ -81,10 +76,8 @@ namespace MortarContact
   }
 
 
-
   template <int dim>
   BroadPhase<dim>::~BroadPhase() = default;
-
 
 
   template <int dim>
@@ -102,13 +95,18 @@ namespace MortarContact
   }
 
 
-
-  template Box<2> box_around(const Facet<2> &);
-  template Box<3> box_around(const Facet<3> &);
-  template void extend(Box<2> &, const Tensor<1, 2> &);
-  template void extend(Box<3> &, const Tensor<1, 3> &);
-  template void inflate(Box<2> &, const double);
-  template void inflate(Box<3> &, const double);
+  template Box<2>
+  box_around(const Facet<2> &);
+  template Box<3>
+  box_around(const Facet<3> &);
+  template void
+  extend(Box<2> &, const Tensor<1, 2> &);
+  template void
+  extend(Box<3> &, const Tensor<1, 3> &);
+  template void
+  inflate(Box<2> &, const double);
+  template void
+  inflate(Box<3> &, const double);
   template class BroadPhase<2>;
   template class BroadPhase<3>;
 } // namespace MortarContact

@@ -16,14 +16,12 @@ namespace MortarContact
   } // namespace
 
 
-
   template <>
   std::vector<PlanePoint<2>>
   material_points<2>(const unsigned int)
   {
     return {PlanePoint<2>({low}), PlanePoint<2>({high})};
   }
-
 
 
   template <>
@@ -41,7 +39,6 @@ namespace MortarContact
   }
 
 
-
   template <>
   VertexValues<2>
   extrapolate_to_vertices<2>(const unsigned int, const VertexValues<2> &f)
@@ -49,7 +46,6 @@ namespace MortarContact
     return {{near_weight * f[0] + far_weight * f[1],
              near_weight * f[1] + far_weight * f[0]}};
   }
-
 
 
   template <>

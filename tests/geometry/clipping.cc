@@ -11,7 +11,10 @@ using namespace MortarContact;
 namespace
 {
   PlaneFacet<3>
-  square(const double x, const double y, const double size, const double angle = 0.)
+  square(const double x,
+         const double y,
+         const double size,
+         const double angle = 0.)
   {
     PlaneFacet<3> result;
     const double  corners[4][2] = {{-.5, -.5}, {.5, -.5}, {.5, .5}, {-.5, .5}};
@@ -25,18 +28,21 @@ namespace
   }
 
   double
-  overlap_area(const unsigned int n_s, const PlaneFacet<3> &s, const unsigned int n_p, const PlaneFacet<3> &p)
+  overlap_area(const unsigned int   n_s,
+               const PlaneFacet<3> &s,
+               const unsigned int   n_p,
+               const PlaneFacet<3> &p)
   {
     double     sum      = 0.;
     const auto pieces_s = convex_pieces<3>(n_s, s);
     const auto pieces_p = convex_pieces<3>(n_p, p);
     for (unsigned int i = 0; i < pieces_s.n_pieces; ++i)
       for (unsigned int j = 0; j < pieces_p.n_pieces; ++j)
-        sum += area(clip<3>(s, pieces_s.pieces[i], p, pieces_p.pieces[j], 1e-13));
+        sum +=
+            area(clip<3>(s, pieces_s.pieces[i], p, pieces_p.pieces[j], 1e-13));
     return sum;
   }
 } // namespace
-
 
 
 TEST(Clipping, KnownAreas)
@@ -54,7 +60,6 @@ TEST(Clipping, KnownAreas)
   std::swap(reversed[1], reversed[3]);
   EXPECT_NEAR(overlap_area(4, unit, 4, reversed), 1., 1e-14);
 }
-
 
 
 TEST(Clipping, CornersAndEdgesThatAlmostCoincideLoseNoArea)
@@ -78,7 +83,6 @@ TEST(Clipping, CornersAndEdgesThatAlmostCoincideLoseNoArea)
 }
 
 
-
 TEST(Clipping, AnyMeshThatCoversAFacetGivesItsArea)
 {
   // THEORY T6, on a turned, distorted grid of quadrilaterals and triangles
@@ -87,8 +91,9 @@ TEST(Clipping, AnyMeshThatCoversAFacetGivesItsArea)
   for (const double angle : {0., 0.2618, 0.5236, 0.7854})
     {
       const int                              n = 7;
-      std::vector<std::vector<Tensor<1, 2>>> grid(
-        n + 1, std::vector<Tensor<1, 2>>(n + 1));
+      std::vector<std::vector<Tensor<1, 2>>> grid(n + 1,
+                                                  std::vector<Tensor<1, 2>>(n +
+                                                                            1));
       for (int i = 0; i <= n; ++i)
         for (int j = 0; j <= n; ++j)
           {
@@ -112,21 +117,26 @@ TEST(Clipping, AnyMeshThatCoversAFacetGivesItsArea)
           else
             {
               sum += overlap_area(
-                4, s, 3, {{grid[i][j], grid[i + 1][j], grid[i + 1][j + 1], {}}});
+                  4,
+                  s,
+                  3,
+                  {{grid[i][j], grid[i + 1][j], grid[i + 1][j + 1], {}}});
               sum += overlap_area(
-                4, s, 3, {{grid[i][j], grid[i + 1][j + 1], grid[i][j + 1], {}}});
+                  4,
+                  s,
+                  3,
+                  {{grid[i][j], grid[i + 1][j + 1], grid[i][j + 1], {}}});
             }
       EXPECT_NEAR(sum, 1., 1e-12);
     }
 }
 
 
-
 TEST(Clipping, ReentrantFacetsAreCutFoldedOnesRefused)
 {
   PlaneFacet<3> dart = square(0., 0., 1.);
-  dart[2][0] = -0.2;
-  dart[2][1] = -0.2;
+  dart[2][0]         = -0.2;
+  dart[2][1]         = -0.2;
   EXPECT_EQ(convex_pieces<3>(4, dart).n_pieces, 2u);
   // shoelace of the dart: 0.3
   EXPECT_NEAR(overlap_area(4, dart, 4, square(0., 0., 1.)), 0.3, 1e-14);
@@ -137,15 +147,17 @@ TEST(Clipping, ReentrantFacetsAreCutFoldedOnesRefused)
 }
 
 
-
 TEST(Clipping, IntervalsIn2d)
 {
   PlaneFacet<2> s, p;
-  s[0][0] = 0.;
-  s[1][0] = 1.;
-  p[0][0] = 1.5;
-  p[1][0] = 0.25;
-  const auto o = clip<2>(
-    s, convex_pieces<2>(2, s).pieces[0], p, convex_pieces<2>(2, p).pieces[0], 0.);
+  s[0][0]      = 0.;
+  s[1][0]      = 1.;
+  p[0][0]      = 1.5;
+  p[1][0]      = 0.25;
+  const auto o = clip<2>(s,
+                         convex_pieces<2>(2, s).pieces[0],
+                         p,
+                         convex_pieces<2>(2, p).pieces[0],
+                         0.);
   EXPECT_NEAR(area(o), 0.75, 1e-15);
 }

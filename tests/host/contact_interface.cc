@@ -34,8 +34,8 @@ using namespace MortarContact;
 
 namespace
 {
-  /// Two blocks in one mesh: block 0 below z = 1 (y = 1), block 1 above. Contact
-  /// faces have boundary ids 10 and 20; they overlap by @p overlap.
+  /// Two blocks in one mesh: block 0 below z = 1 (y = 1), block 1 above.
+  /// Contact faces have boundary ids 10 and 20; they overlap by @p overlap.
   template <int dim>
   struct TwoBlocks
   {
@@ -80,12 +80,12 @@ namespace
             }
       if (curved)
         GridTools::transform(
-          [](const Point<dim> &p) {
-            Point<dim> q = p;
-            q[dim - 1] += 0.03 * std::sin(3. * p[0]) * (1. + p[dim - 2]);
-            return q;
-          },
-          both);
+            [](const Point<dim> &p) {
+              Point<dim> q = p;
+              q[dim - 1] += 0.03 * std::sin(3. * p[0]) * (1. + p[dim - 2]);
+              return q;
+            },
+            both);
       tria.copy_triangulation(both);
       dof_handler.distribute_dofs(fe);
       constraints.close();
@@ -97,10 +97,16 @@ namespace
       const auto modulus = [](const auto &cell) {
         return cell->material_id() == 0 ? 1000. : 3000.;
       };
-      contact.add_secondary(
-        dof_handler, mapping, boundary_ids({swapped ? 20u : 10u}), modulus, "a");
-      contact.add_primary(
-        dof_handler, mapping, boundary_ids({swapped ? 10u : 20u}), modulus, "b");
+      contact.add_secondary(dof_handler,
+                            mapping,
+                            boundary_ids({swapped ? 20u : 10u}),
+                            modulus,
+                            "a");
+      contact.add_primary(dof_handler,
+                          mapping,
+                          boundary_ids({swapped ? 10u : 20u}),
+                          modulus,
+                          "b");
       contact.setup();
     }
 
@@ -130,7 +136,6 @@ namespace
 } // namespace
 
 
-
 TEST(ContactInterface, TangentAgreesWithDifferencesOnCurvedBlocks)
 {
   for (const unsigned int degree : {1u, 2u})
@@ -149,11 +154,11 @@ TEST(ContactInterface, TangentAgreesWithDifferencesOnCurvedBlocks)
 }
 
 
-
 TEST(ContactInterface, SidesMayBeSwapped)
 {
   TwoBlocks<3>        blocks(0.02, 1, true);
-  ContactInterface<3> one("i", {}, MPI_COMM_WORLD), other("i", {}, MPI_COMM_WORLD);
+  ContactInterface<3> one("i", {}, MPI_COMM_WORLD),
+      other("i", {}, MPI_COMM_WORLD);
   blocks.add_to(one);
   blocks.add_to(other, true);
   const auto a = evaluate(blocks, one), b = evaluate(blocks, other);
@@ -164,7 +169,6 @@ TEST(ContactInterface, SidesMayBeSwapped)
 }
 
 
-
 TEST(ContactInterface, TheSameOnAnyNumberOfRanks)
 {
   // reference: what one rank gives, computed by every rank for itself
@@ -173,7 +177,7 @@ TEST(ContactInterface, TheSameOnAnyNumberOfRanks)
   blocks.add_to(contact);
   const auto r = evaluate(blocks, contact);
 
-  auto   forces = blocks.vector();
+  auto forces = blocks.vector();
   contact.assemble(forces, blocks.constraints);
   forces.compress(VectorOperation::add);
   const double norm = forces.l2_norm();
@@ -195,12 +199,10 @@ TEST(ContactInterface, TheSameOnAnyNumberOfRanks)
 
   // measured on one rank, kept to see that the others agree with it
   EXPECT_NEAR(norm / r.force.norm(), 0.3, 0.2);
-  std::vector<double> norms =
-    Utilities::MPI::all_gather(MPI_COMM_WORLD, norm);
+  std::vector<double> norms = Utilities::MPI::all_gather(MPI_COMM_WORLD, norm);
   for (const double n : norms)
     EXPECT_EQ(n, norm);
 }
-
 
 
 TEST(ContactInterface, SerialMatricesOfDealII)
@@ -216,7 +218,7 @@ TEST(ContactInterface, SerialMatricesOfDealII)
   DynamicSparsityPattern dsp(u.size());
   contact.add_couplings(dsp, blocks.constraints);
   EXPECT_FALSE(contact.report().couplings_changed);
-  SparsityPattern      pattern;
+  SparsityPattern pattern;
   pattern.copy_from(dsp);
   SparseMatrix<double> matrix(pattern);
   contact.assemble(matrix, rhs, blocks.constraints);
@@ -232,11 +234,10 @@ TEST(ContactInterface, SerialMatricesOfDealII)
 }
 
 
-
 TEST(ContactInterface, NoFacetPassesAnotherInOneUpdate)
 {
-  TwoBlocks<3>        blocks(-0.1); // a gap
-  ContactParameters   p;
+  TwoBlocks<3>      blocks(-0.1); // a gap
+  ContactParameters p;
   p.characteristic_length = "0.2";
   ContactInterface<3> contact("i", p, MPI_COMM_WORLD);
   blocks.add_to(contact);
@@ -258,7 +259,6 @@ TEST(ContactInterface, NoFacetPassesAnotherInOneUpdate)
   du *= -1.;
   EXPECT_EQ(contact.largest_safe_step(u, du), 1.);
 }
-
 
 
 TEST(ContactInterface, InitialPenetrationsAreTreatedAsAsked)
@@ -301,7 +301,6 @@ TEST(ContactInterface, InitialPenetrationsAreTreatedAsAsked)
 }
 
 
-
 namespace
 {
   /// Displacement of block 1 by @p by along the last axis.
@@ -326,7 +325,6 @@ namespace
 } // namespace
 
 
-
 TEST(ContactInterface, TrackedPenetrationsFollowTheOpening)
 {
   // THEORY T41: force 0 at the start; after full separation the surface is
@@ -338,12 +336,13 @@ TEST(ContactInterface, TrackedPenetrationsFollowTheOpening)
   p.characteristic_length = "1";
   p.initial_penetration   = InitialPenetration::track;
   const auto sigma = [](const double d) { return 0.1 * 500. * d * d / 0.12; };
-  const auto pressure = [&](ContactInterface<3> &c, const double up, const bool commit) {
-    c.update(lift(blocks, up));
-    if (commit)
-      c.commit(0.);
-    return -c.report().force[2] / 0.49;
-  };
+  const auto pressure =
+      [&](ContactInterface<3> &c, const double up, const bool commit) {
+        c.update(lift(blocks, up));
+        if (commit)
+          c.commit(0.);
+        return -c.report().force[2] / 0.49;
+      };
   ContactInterface<3> partly("i", p, MPI_COMM_WORLD);
   blocks.add_to(partly);
   EXPECT_NEAR(pressure(partly, 0., true), 0., 1e-13);
@@ -369,7 +368,6 @@ TEST(ContactInterface, TrackedPenetrationsFollowTheOpening)
 }
 
 
-
 TEST(ContactInterface, DeepPenetrationsAreNeverSilent)
 {
   TwoBlocks<3>      blocks(0.3);
@@ -386,7 +384,8 @@ TEST(ContactInterface, DeepPenetrationsAreNeverSilent)
     shallower.add_to(contact);
     EXPECT_GT(contact.report().initial.n_undetected, 0u);
     EXPECT_NEAR(contact.report().initial.undetected.penetration, 0.08, 1e-12);
-    EXPECT_NE(contact.report().initial_text().find("WARNING"), std::string::npos);
+    EXPECT_NE(contact.report().initial_text().find("WARNING"),
+              std::string::npos);
     EXPECT_EQ(evaluate(shallower, contact).active_pairs, 0u);
   }
   p.initial_penetration = InitialPenetration::remove_deep;
@@ -403,7 +402,6 @@ TEST(ContactInterface, DeepPenetrationsAreNeverSilent)
     EXPECT_THROW(blocks.add_to(contact), ExcMessage);
   }
 }
-
 
 
 TEST(ContactInterface, ReleaseIsJudgedOnConvergedStates)
@@ -441,7 +439,6 @@ TEST(ContactInterface, ReleaseIsJudgedOnConvergedStates)
 }
 
 
-
 TEST(ContactInterface, OffsetsPushTheSurfaceOut)
 {
   // THEORY T45: a gap below the offset becomes an initial penetration; with
@@ -452,10 +449,10 @@ TEST(ContactInterface, OffsetsPushTheSurfaceOut)
   p.modulus               = 1000.;
   p.characteristic_length = "1";
   p.stiffness_side        = "secondary";
-  p.kind = ContactParameters::Kind::forming_surface_to_surface;
-  p.secondary_offset    = 0.03;
-  p.initial_penetration = InitialPenetration::ignore;
-  p.initial_pressure    = 0.01;
+  p.kind                  = ContactParameters::Kind::forming_surface_to_surface;
+  p.secondary_offset      = 0.03;
+  p.initial_penetration   = InitialPenetration::ignore;
+  p.initial_pressure      = 0.01;
   ContactInterface<3> contact("i", p, MPI_COMM_WORLD);
   blocks.add_to(contact);
   EXPECT_NEAR(contact.report().initial.deepest.penetration, 0.01, 1e-13);
@@ -471,7 +468,6 @@ TEST(ContactInterface, OffsetsPushTheSurfaceOut)
 }
 
 
-
 TEST(ContactInterface, UnusableInputIsRefusedInWords)
 {
   TwoBlocks<3>        blocks(0.01);
@@ -480,7 +476,7 @@ TEST(ContactInterface, UnusableInputIsRefusedInWords)
   try
     {
       contact.add_secondary(
-        blocks.dof_handler, blocks.mapping, boundary_ids({77}), one, "block");
+          blocks.dof_handler, blocks.mapping, boundary_ids({77}), one, "block");
       FAIL();
     }
   catch (const ExcMessage &e)

@@ -12,8 +12,10 @@ using namespace MortarContact;
 class EveryLaw : public testing::TestWithParam<std::tuple<std::string, double>>
 {
 protected:
-  std::unique_ptr<PressureLaw> law =
-    make_pressure_law(std::get<0>(GetParam()), 0.1, std::get<1>(GetParam()), 0.5);
+  std::unique_ptr<PressureLaw> law = make_pressure_law(std::get<0>(GetParam()),
+                                                       0.1,
+                                                       std::get<1>(GetParam()),
+                                                       0.5);
 };
 
 TEST_P(EveryLaw, PressureAndStiffnessAreDerivativesOfTheEnergy)
@@ -23,9 +25,14 @@ TEST_P(EveryLaw, PressureAndStiffnessAreDerivativesOfTheEnergy)
     {
       const double h    = 1e-4 * d;
       const auto   r    = law->evaluate(d, K, l);
-      const auto   plus = law->evaluate(d + h, K, l), minus = law->evaluate(d - h, K, l);
-      EXPECT_NEAR(r.pressure, (plus.energy - minus.energy) / (2. * h), 1e-6 * r.pressure);
-      EXPECT_NEAR(r.stiffness, (plus.pressure - minus.pressure) / (2. * h), 1e-6 * r.stiffness);
+      const auto   plus = law->evaluate(d + h, K, l),
+                 minus  = law->evaluate(d - h, K, l);
+      EXPECT_NEAR(r.pressure,
+                  (plus.energy - minus.energy) / (2. * h),
+                  1e-6 * r.pressure);
+      EXPECT_NEAR(r.stiffness,
+                  (plus.pressure - minus.pressure) / (2. * h),
+                  1e-6 * r.stiffness);
       EXPECT_GT(r.stiffness, 0.);
     }
 }
@@ -74,32 +81,43 @@ TEST(PaperLaw, HasTheValuesOfThePaper)
   EXPECT_NEAR(law->evaluate(0.025, 1000., 0.1).pressure, 22.0, 1e-12);
   EXPECT_NEAR(law->evaluate(0.05, 1000., 0.1).pressure, 47.0, 1e-12);
   // slope on both sides of x = 2, plateau alpha K / l
-  EXPECT_NEAR(law->evaluate(0.006 * (1. - 1e-12), 1000., 0.1).stiffness, 1000., 1e-7);
-  EXPECT_NEAR(law->evaluate(0.006 * (1. + 1e-12), 1000., 0.1).stiffness, 1000., 1e-7);
+  EXPECT_NEAR(law->evaluate(0.006 * (1. - 1e-12), 1000., 0.1).stiffness,
+              1000.,
+              1e-7);
+  EXPECT_NEAR(law->evaluate(0.006 * (1. + 1e-12), 1000., 0.1).stiffness,
+              1000.,
+              1e-7);
 }
 
 TEST(PaperLaw, StiffensProgressivelyAsTabulated)
 {
   // THEORY 1.3, f(x) at x = 12.5 and x_m; p = alpha eps K f
-  const double table[3][3] = {{2., 13.458, 31.333}, {5., 19.333, 78.333}, {10., 29.125, 156.667}};
+  const double table[3][3] = {{2., 13.458, 31.333},
+                              {5., 19.333, 78.333},
+                              {10., 29.125, 156.667}};
   for (const auto &row : table)
     {
       const auto law = make_pressure_law("parabola linear", 0.1, row[0], 0.5);
       EXPECT_NEAR(law->normalised(12.5 * 0.03).pressure / 0.003, row[1], 1e-3);
       EXPECT_NEAR(law->normalised(0.5).pressure / 0.003, row[2], 1e-3);
       // C2 at d = l/4: unchanged there with value, slope and curvature
-      const auto plain = make_pressure_law("parabola linear", 0.1, 1., 0.5);
-      const double h = 1e-5;
-      EXPECT_NEAR(law->normalised(0.25 + h).stiffness, plain->normalised(0.25 + h).stiffness, 1e-6);
+      const auto   plain = make_pressure_law("parabola linear", 0.1, 1., 0.5);
+      const double h     = 1e-5;
+      EXPECT_NEAR(law->normalised(0.25 + h).stiffness,
+                  plain->normalised(0.25 + h).stiffness,
+                  1e-6);
       EXPECT_EQ(law->normalised(0.2).pressure, plain->normalised(0.2).pressure);
       // beyond the largest penetration along the tangent
-      EXPECT_NEAR(law->normalised(0.6).stiffness, law->normalised(0.5).stiffness, 1e-12);
+      EXPECT_NEAR(law->normalised(0.6).stiffness,
+                  law->normalised(0.5).stiffness,
+                  1e-12);
     }
 }
 
 TEST(ContactModulus, SeriesIsSymmetricAndEndsAtARigidSide)
 {
-  const auto a = in_series(1e-4, 0.1, 3e-4, 0.2), b = in_series(3e-4, 0.2, 1e-4, 0.1);
+  const auto a = in_series(1e-4, 0.1, 3e-4, 0.2),
+             b = in_series(3e-4, 0.2, 1e-4, 0.1);
   EXPECT_DOUBLE_EQ(a.modulus, b.modulus);
   EXPECT_DOUBLE_EQ(a.length, b.length);
   EXPECT_DOUBLE_EQ(a.length / a.modulus, 4e-4);
@@ -107,7 +125,8 @@ TEST(ContactModulus, SeriesIsSymmetricAndEndsAtARigidSide)
   EXPECT_DOUBLE_EQ(rigid.modulus, 1000.);
   EXPECT_DOUBLE_EQ(rigid.length, 0.1);
   EXPECT_NEAR(bulk_contact_modulus(10., 0.3), 10. / 1.2, 1e-14);
-  EXPECT_EQ(bulk_contact_modulus(10., 0.4999), bulk_contact_modulus(10., 0.499));
+  EXPECT_EQ(bulk_contact_modulus(10., 0.4999),
+            bulk_contact_modulus(10., 0.499));
 }
 
 TEST(InitialPenetration, SharesGoToZeroLinearly)

@@ -31,7 +31,10 @@ namespace
       std::mt19937                           rng(seed);
       std::uniform_real_distribution<double> u(-1., 1.);
       const auto make = [&](ContactFacet<3> &f, const unsigned int n) {
-        const double corners[4][2] = {{-.5, -.5}, {.5, -.5}, {.5, .5}, {-.5, .5}};
+        const double corners[4][2] = {{-.5, -.5},
+                                      {.5, -.5},
+                                      {.5, .5},
+                                      {-.5, .5}};
         f.current.n_vertices = f.reference.n_vertices = n;
         for (unsigned int a = 0; a < n; ++a)
           {
@@ -42,7 +45,7 @@ namespace
             for (unsigned int i = 0; i < 3; ++i)
               f.reference.x[a][i] = f.current.x[a][i] * (1. + 0.05 * u(rng));
             // steep pairs reach deep: long enough for all points to count
-            f.length[a] = (tilt > 1. ? 2. : 0.1) * (1. + 0.1 * u(rng));
+            f.length[a]     = (tilt > 1. ? 2. : 0.1) * (1. + 0.1 * u(rng));
             f.compliance[a] = 1e-4 * (1. + 0.1 * u(rng));
           }
       };
@@ -75,7 +78,9 @@ namespace
   };
 
   PairBlock<3>
-  evaluate(const PairKernel<3> &kernel, const Pair3d &pair, const bool tangent = true)
+  evaluate(const PairKernel<3> &kernel,
+           const Pair3d        &pair,
+           const bool           tangent = true)
   {
     PairBlock<3> block;
     kernel.evaluate_segments(SecondaryFrame<3>(pair.secondary.current),
@@ -158,9 +163,8 @@ namespace
 } // namespace
 
 
-
-class PairKernelShapes
-  : public testing::TestWithParam<std::tuple<unsigned int, unsigned int, double>>
+class PairKernelShapes : public testing::TestWithParam<
+                             std::tuple<unsigned int, unsigned int, double>>
 {};
 
 // Reference: tests/support/oracle.h differentiated by Sacado.
@@ -183,8 +187,8 @@ TEST_P(PairKernelShapes, TangentIsTheExactDerivativeOfTheDiscreteResidual)
           double error = 0., scale = 0., error_f = 0.;
           for (unsigned int i = 0; i < 24; ++i)
             {
-              error_f = std::max(error_f,
-                                 std::abs(block.residual[i] - ad[i].val()));
+              error_f =
+                  std::max(error_f, std::abs(block.residual[i] - ad[i].val()));
               for (unsigned int j = 0; j < 24; ++j)
                 {
                   error = std::max(error,
@@ -199,13 +203,12 @@ TEST_P(PairKernelShapes, TangentIsTheExactDerivativeOfTheDiscreteResidual)
 }
 
 INSTANTIATE_TEST_SUITE_P(
-  TrianglesAndQuadrilaterals,
-  PairKernelShapes,
-  testing::Combine(testing::Values(3u, 4u),
-                   testing::Values(3u, 4u),
-                   // slight, and inside the angle weight's range
-                   testing::Values(0.05, 1.15)));
-
+    TrianglesAndQuadrilaterals,
+    PairKernelShapes,
+    testing::Combine(testing::Values(3u, 4u),
+                     testing::Values(3u, 4u),
+                     // slight, and inside the angle weight's range
+                     testing::Values(0.05, 1.15)));
 
 
 TEST(PairKernel, TangentIsTheDerivativeOfTheResidualByDifferences)
@@ -240,7 +243,6 @@ TEST(PairKernel, TangentIsTheDerivativeOfTheResidualByDifferences)
 }
 
 
-
 TEST(PairKernel, ForcesAndMomentsAreInBalanceToRoundOff)
 {
   const PaperLaw      law(PressureCurve::parabola_linear, 0.1);
@@ -254,8 +256,8 @@ TEST(PairKernel, ForcesAndMomentsAreInBalanceToRoundOff)
           Tensor<1, 3> force, moment;
           for (unsigned int a = 0; a < 8; ++a)
             {
-              const auto &x = (a < 4) ? pair.secondary.current.x[a] :
-                                        pair.primary.current.x[a - 4];
+              const auto        &x = (a < 4) ? pair.secondary.current.x[a] :
+                                               pair.primary.current.x[a - 4];
               const Tensor<1, 3> fa({f[3 * a], f[3 * a + 1], f[3 * a + 2]});
               force += fa;
               moment += cross_product_3d(x, fa);
@@ -264,7 +266,6 @@ TEST(PairKernel, ForcesAndMomentsAreInBalanceToRoundOff)
           EXPECT_LT(moment.norm(), 1e-14 * norm(f));
         }
 }
-
 
 
 TEST(PairKernel, ForcesTurnWithTheFacets)
@@ -277,14 +278,14 @@ TEST(PairKernel, ForcesTurnWithTheFacets)
       const auto f = evaluate(kernel, pair).residual;
       const auto Q = rotation(angle, 0.7 * angle);
       pair.rotate(Q);
-      const auto block   = evaluate(kernel, pair);
-      const auto turned  = block.residual;
-      double     error   = 0.;
+      const auto block  = evaluate(kernel, pair);
+      const auto turned = block.residual;
+      double     error  = 0.;
       for (unsigned int a = 0; a < 8; ++a)
         {
           const Tensor<1, 3> fa({f[3 * a], f[3 * a + 1], f[3 * a + 2]});
           const Tensor<1, 3> fb(
-            {turned[3 * a], turned[3 * a + 1], turned[3 * a + 2]});
+              {turned[3 * a], turned[3 * a + 1], turned[3 * a + 2]});
           error = std::max(error, (Q * fa - fb).norm());
         }
       EXPECT_LT(error, 1e-12 * norm(f));
@@ -312,14 +313,13 @@ TEST(PairKernel, ForcesTurnWithTheFacets)
           EXPECT_LT(translation.norm(), 1e-11 * stiffness);
           const unsigned int a = i / 3;
           const Tensor<1, 3> fa(
-            {turned[3 * a], turned[3 * a + 1], turned[3 * a + 2]});
+              {turned[3 * a], turned[3 * a + 1], turned[3 * a + 2]});
           EXPECT_NEAR(rotated,
                       cross_product_3d(omega, fa)[i % 3],
                       1e-11 * stiffness);
         }
     }
 }
-
 
 
 TEST(PairKernel, UniformDepthOnPlaneFacetsGivesPressureTimesOverlap)
@@ -331,7 +331,7 @@ TEST(PairKernel, UniformDepthOnPlaneFacetsGivesPressureTimesOverlap)
     {
       s.current.x[a] = Tensor<1, 3>({c[a][0], c[a][1], 0.});
       p.current.x[a] =
-        Tensor<1, 3>({c[3 - a][0] + 0.25, c[3 - a][1] + 0.5, -0.02});
+          Tensor<1, 3>({c[3 - a][0] + 0.25, c[3 - a][1] + 0.5, -0.02});
       s.length[a] = p.length[a] = 0.1;
       s.compliance[a] = p.compliance[a] = 0.1 / 1000.;
     }
@@ -341,7 +341,8 @@ TEST(PairKernel, UniformDepthOnPlaneFacetsGivesPressureTimesOverlap)
   options.stiffness_side = StiffnessSide::secondary;
   const PairKernel<3> kernel(law, options);
   PairBlock<3>        block;
-  kernel.evaluate_segments(SecondaryFrame<3>(s.current), s, {}, p, 1., true, block);
+  kernel.evaluate_segments(
+      SecondaryFrame<3>(s.current), s, {}, p, 1., true, block);
   // d = 0.02, x = 0.02/(0.03*0.1) = 6.67, f = 5.667, p = 0.1*0.03*1000 f = 17
   double force = 0.;
   for (unsigned int a = 0; a < 4; ++a)
@@ -351,23 +352,23 @@ TEST(PairKernel, UniformDepthOnPlaneFacetsGivesPressureTimesOverlap)
 }
 
 
-
 TEST(PairKernel, LinearPenetrationIsIntegratedExactly)
 {
   // THEORY T9: parabola law over a plane inclined by slope k: closed form.
   ContactFacet<2> s, p;
-  s.current.x   = {{Tensor<1, 2>({1., 0.}), Tensor<1, 2>({0., 0.})}}; // n up
-  s.reference   = s.current;
+  s.current.x    = {{Tensor<1, 2>({1., 0.}), Tensor<1, 2>({0., 0.})}}; // n up
+  s.reference    = s.current;
   const double k = 0.001, d0 = 0.001;
-  p.current.x   = {{Tensor<1, 2>({-1., -d0 + k}), Tensor<1, 2>({2., -d0 - 2. * k})}};
+  p.current.x = {
+      {Tensor<1, 2>({-1., -d0 + k}), Tensor<1, 2>({2., -d0 - 2. * k})}};
   s.length = p.length = {{0.1, 0.1}};
   s.compliance        = {{1e-4, 1e-4}};
   const PaperLaw law(PressureCurve::parabola_linear, 0.1);
   KernelOptions  options;
-  options.stiffness_side = StiffnessSide::secondary;
+  options.stiffness_side     = StiffnessSide::secondary;
   options.integration.degree = 4;
-  const PairKernel<2> kernel(law, options);
-  PairBlock<2>        block;
+  const PairKernel<2>     kernel(law, options);
+  PairBlock<2>            block;
   const SecondaryFrame<2> frame(s.current);
   EXPECT_NEAR(frame.normal[1], 1., 1e-15);
   kernel.evaluate_segments(frame, s, {}, p, 1., true, block);
@@ -377,30 +378,30 @@ TEST(PairKernel, LinearPenetrationIsIntegratedExactly)
   // p(d) = alpha eps K (d/(eps l))^2 / 4, d = d0 + k x on [0,1]
   const double factor = 0.1 * 0.03 * 1000. / 4. / (0.003 * 0.003);
   const double exact =
-    factor * (std::pow(d0 + k, 3) - std::pow(d0, 3)) / (3. * k);
+      factor * (std::pow(d0 + k, 3) - std::pow(d0, 3)) / (3. * k);
   EXPECT_NEAR(force, exact, 1e-13 * exact);
 }
 
 
-
 TEST(PairKernel, ResidualOfAFixedPointIsTheGradientOfItsDepth)
 {
-  const PaperLaw      law(PressureCurve::linear, 0.1);
-  KernelOptions       options = exact();
-  options.integration.rule    = Integration::Rule::points;
+  const PaperLaw law(PressureCurve::linear, 0.1);
+  KernelOptions  options   = exact();
+  options.integration.rule = Integration::Rule::points;
   const PairKernel<3> kernel(law, options);
   Pair3d              pair(4, 4, 0.03, 0.2, 5);
   pair.offset = {};
   const PlanePoint<3> xi({0.4, 0.55});
   const auto          depth = [&](const Pair3d &q) {
-    return kernel.hit(SecondaryFrame<3>(q.secondary.current), xi, q.primary)->depth;
+    return kernel.hit(SecondaryFrame<3>(q.secondary.current), xi, q.primary)
+        ->depth;
   };
   const SecondaryFrame<3> frame(pair.secondary.current);
   const auto              hit = kernel.hit(frame, xi, pair.primary);
   ASSERT_TRUE(hit);
   PairBlock<3> block;
   kernel.add_fixed_point(
-    frame, pair.secondary, {}, pair.primary, xi, hit->eta, 1., false, block);
+      frame, pair.secondary, {}, pair.primary, xi, hit->eta, 1., false, block);
   const double h = 1e-5;
   for (unsigned int j = 0; j < 24; ++j)
     {

@@ -27,7 +27,9 @@ namespace
   some_gradient()
   {
     Tensor<2, 3> F;
-    const double f[3][3] = {{1.1, 0.2, -0.1}, {0.05, 0.9, 0.15}, {-0.2, 0.1, 1.2}};
+    const double f[3][3] = {{1.1, 0.2, -0.1},
+                            {0.05, 0.9, 0.15},
+                            {-0.2, 0.1, 1.2}};
     for (unsigned int i = 0; i < 3; ++i)
       for (unsigned int j = 0; j < 3; ++j)
         F[i][j] = f[i][j];
@@ -66,9 +68,9 @@ TEST_P(MaterialLaws, StressTurnsWithTheBody)
     GTEST_SKIP() << "small strains are not objective";
   const auto   material = parameters(GetParam()).make();
   Tensor<2, 3> Q;
-  Q[0][1] = -1.;
-  Q[1][0] = 1.;
-  Q[2][2] = 1.;
+  Q[0][1]              = -1.;
+  Q[1][0]              = 1.;
+  Q[2][2]              = 1.;
   const Tensor<2, 3> F = some_gradient();
   EXPECT_LT((material->evaluate(Q * F).P - Q * material->evaluate(F).P).norm(),
             1e-13);
@@ -82,7 +84,8 @@ TEST_P(MaterialLaws, SmallStrainsFollowHooke)
     F[i][i] = 1.;
   const auto r = material->evaluate(F);
   EXPECT_LT(r.P.norm(), 1e-14);
-  const double lambda = material->bulk_modulus - 2. / 3. * material->shear_modulus;
+  const double lambda =
+      material->bulk_modulus - 2. / 3. * material->shear_modulus;
   EXPECT_NEAR(r.A[0][0][0][0], lambda + 2. * material->shear_modulus, 1e-12);
   EXPECT_NEAR(r.A[0][0][1][1], lambda, 1e-12);
   EXPECT_NEAR(r.A[0][1][0][1], material->shear_modulus, 1e-12);

@@ -4,10 +4,10 @@
 
 // An independent implementation of the contact of one pair, written from THEORY
 // 2.1 to 2.3 with plain arrays and templated on the scalar type, so that
-// automatic differentiation gives the exact derivative of the discrete residual.
-// Slow and simple on purpose. 3d only; implicit maps are iterated in double,
-// then corrected by one more Newton step in the scalar type, which makes their
-// derivatives exact.
+// automatic differentiation gives the exact derivative of the discrete
+// residual. Slow and simple on purpose. 3d only; implicit maps are iterated in
+// double, then corrected by one more Newton step in the scalar type, which
+// makes their derivatives exact.
 
 #include <mortar_contact/geometry/simplex_rule.h>
 
@@ -86,8 +86,8 @@ namespace Oracle
   template <class T>
   struct Facet
   {
-    unsigned int         n;
-    std::array<V3<T>, 4> x;
+    unsigned int          n;
+    std::array<V3<T>, 4>  x;
     std::array<double, 4> compliance, length;
   };
 
@@ -153,11 +153,11 @@ namespace Oracle
 
   struct Setup
   {
-    std::array<V3<double>, 4>           reference; ///< Of the secondary.
-    std::array<double, 4>               level = {{0., 0., 0., 0.}};
-    double                              share = 0., gap_shift = 0.;
-    unsigned int                        degree = 5;
-    bool                                series = true;
+    std::array<V3<double>, 4> reference; ///< Of the secondary.
+    std::array<double, 4>     level = {{0., 0., 0., 0.}};
+    double                    share = 0., gap_shift = 0.;
+    unsigned int              degree = 5;
+    bool                      series = true;
     /// Pressure of penetration, modulus, length, in the scalar type.
     double alpha = 0.1, eps = 0.03, igap = 1.;
   };
@@ -207,9 +207,9 @@ namespace Oracle
     const T     wl = sqrt(dot(w, w));
     const V3<T> n  = {{w[0] / wl, w[1] / wl, w[2] / wl}};
     // any basis will do: e0 from a fixed direction
-    V3<T>        e0;
-    const V3<T>  fixed = {{T(0.31), T(0.87), T(-0.2)}};
-    const T      fn    = dot(fixed, n);
+    V3<T>       e0;
+    const V3<T> fixed = {{T(0.31), T(0.87), T(-0.2)}};
+    const T     fn    = dot(fixed, n);
     for (unsigned int i = 0; i < 3; ++i)
       e0[i] = fixed[i] - fn * n[i];
     const T e0l = sqrt(dot(e0, e0));
@@ -229,7 +229,7 @@ namespace Oracle
       poly.assign(yp.rend() - p.n, yp.rend());
     for (unsigned int k = 0; k < s.n; ++k)
       {
-        const V2<T> a = ys[k], b = ys[(k + 1) % s.n];
+        const V2<T>        a = ys[k], b = ys[(k + 1) % s.n];
         std::vector<V2<T>> out;
         for (unsigned int i = 0; i < poly.size(); ++i)
           {
@@ -276,7 +276,7 @@ namespace Oracle
           shapes(p.n, eta, M, M1, M2);
 
           // weight: area in the plane times J0/Jy
-          T j[2][2] = {{T(0.), T(0.)}, {T(0.), T(0.)}};
+          T     j[2][2] = {{T(0.), T(0.)}, {T(0.), T(0.)}};
           V3<T> X1 = {{T(0.), T(0.), T(0.)}}, X2 = X1;
           for (unsigned int a = 0; a < s.n; ++a)
             {
@@ -320,10 +320,10 @@ namespace Oracle
               l = (cs * ls + cp * lp) / (cs + cp);
               K = l / (cs + cp);
             }
-          const V3<T> t1 = sum(p, M1), t2 = sum(p, M2);
-          const V3<T> mm = cross(t1, t2);
-          T cosine = -dot(n, mm) / sqrt(dot(mm, mm));
-          T facing = T(1.);
+          const V3<T>  t1 = sum(p, M1), t2 = sum(p, M2);
+          const V3<T>  mm     = cross(t1, t2);
+          T            cosine = -dot(n, mm) / sqrt(dot(mm, mm));
+          T            facing = T(1.);
           const double c0 = std::cos(80. * M_PI / 180.), c1 = 0.5;
           if (value(cosine) <= c0)
             continue;
@@ -338,11 +338,11 @@ namespace Oracle
           const T mn = dot(mm, n);
           V3<T>   a  = {{mm[0] / mn, mm[1] / mn, mm[2] / mn}};
           // a . dn = Pa . dw / |w|, dw = dp x q + p x dq
-          const T     an = dot(a, n);
-          const V3<T> Pa = {
-            {(a[0] - an * n[0]) / wl, (a[1] - an * n[1]) / wl,
-             (a[2] - an * n[2]) / wl}};
-          const V3<T> by_p = cross(qq, Pa), by_q = cross(Pa, pp);
+          const T               an   = dot(a, n);
+          const V3<T>           Pa   = {{(a[0] - an * n[0]) / wl,
+                                         (a[1] - an * n[1]) / wl,
+                                         (a[2] - an * n[2]) / wl}};
+          const V3<T>           by_p = cross(qq, Pa), by_q = cross(Pa, pp);
           std::array<double, 4> pc, qc;
           if (s.n == 3)
             {
@@ -356,8 +356,9 @@ namespace Oracle
             }
           for (unsigned int b = 0; b < s.n; ++b)
             for (unsigned int i = 0; i < 3; ++i)
-              f[3 * b + i] += force * (N[b] * a[i] -
-                                       dist * (pc[b] * by_p[i] + qc[b] * by_q[i]));
+              f[3 * b + i] +=
+                  force *
+                  (N[b] * a[i] - dist * (pc[b] * by_p[i] + qc[b] * by_q[i]));
           for (unsigned int b = 0; b < p.n; ++b)
             for (unsigned int i = 0; i < 3; ++i)
               f[12 + 3 * b + i] -= force * M[b] * a[i];

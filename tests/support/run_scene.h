@@ -25,9 +25,10 @@ namespace Test
   {
     std::string text = "subsection " + name + "\n";
     for (const std::string &entry : Utilities::split_string_list(entries, '|'))
-      text += (entry.find('=') == std::string::npos || entry.find('\n') != std::string::npos) ?
-                entry + "\n" :
-                "set " + entry + "\n";
+      text += (entry.find('=') == std::string::npos ||
+               entry.find('\n') != std::string::npos) ?
+                  entry + "\n" :
+                  "set " + entry + "\n";
     return text + "end\n";
   }
 
@@ -47,7 +48,8 @@ namespace Test
   inline std::string
   condition(const std::string &name, const std::string &entries)
   {
-    return "subsection Boundary conditions\n" + section(name, entries) + "end\n";
+    return "subsection Boundary conditions\n" + section(name, entries) +
+           "end\n";
   }
 
   inline std::string
@@ -69,7 +71,9 @@ namespace Test
   }
 
   inline std::string
-  probe(const std::string &name, const std::string &of, const std::string &point)
+  probe(const std::string &name,
+        const std::string &of,
+        const std::string &point)
   {
     return "subsection Probes\n" +
            section(name, "Body = " + of + "|Point = " + point) + "end\n";
@@ -81,8 +85,9 @@ namespace Test
   {
     std::ostringstream out;
     out << "subsection Solver\nsubsection Newton\nset Force tolerance = "
-        << tolerance << "\nend\nend\nsubsection Steps\nset First step = "
-        << first_step << "\nend\n";
+        << tolerance
+        << "\nend\nend\nsubsection Steps\nset First step = " << first_step
+        << "\nend\n";
     return out.str();
   }
 
@@ -91,15 +96,16 @@ namespace Test
   std::unique_ptr<Simulation<dim>>
   make(const std::string &text, Log &log)
   {
-    const auto *info =
-      testing::UnitTest::GetInstance()->current_test_info();
-    std::string name = std::string(info->test_suite_name()) + "." + info->name();
+    const auto *info = testing::UnitTest::GetInstance()->current_test_info();
+    std::string name =
+        std::string(info->test_suite_name()) + "." + info->name();
     for (char &c : name)
       if (c == '/')
         c = '_';
     const std::string file = "scene-" + name + ".prm";
-    std::ofstream(file) << "set Dimension = " << dim << "\n" << text
-                        << "subsection Output\nset Directory = output-" << name
+    std::ofstream(file) << "set Dimension = " << dim << "\n"
+                        << text << "subsection Output\nset Directory = output-"
+                        << name
                         << "\nset Every = 0\nset Checkpoint every = 0\nend\n";
     SceneSource source;
     source.file   = file;
@@ -107,7 +113,7 @@ namespace Test
     std::string used;
     const Scene scene = read_scene(source, used);
     auto        simulation =
-      std::make_unique<Simulation<dim>>(scene, used, MPI_COMM_WORLD, log);
+        std::make_unique<Simulation<dim>>(scene, used, MPI_COMM_WORLD, log);
     simulation->setup();
     return simulation;
   }
@@ -129,11 +135,11 @@ namespace Test
                 const std::string     &name,
                 const Function        &function)
   {
-    const Body<dim>                     &b = s.model.body(name);
-    const Vector_t                       ghosted = s.model.ghosted(s.u);
-    Element<dim>                         element(b);
-    Vector<double>                       values, forces(b.fe->n_dofs_per_cell());
-    FullMatrix<double>                   none;
+    const Body<dim>   &b       = s.model.body(name);
+    const Vector_t     ghosted = s.model.ghosted(s.u);
+    Element<dim>       element(b);
+    Vector<double>     values, forces(b.fe->n_dofs_per_cell());
+    FullMatrix<double> none;
     std::vector<types::global_dof_index> dofs;
     for (const auto &cell : b.dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())

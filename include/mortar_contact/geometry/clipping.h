@@ -56,7 +56,7 @@ namespace MortarContact
   template <int dim>
   struct Overlap
   {
-    unsigned int                                                 n_vertices = 0;
+    unsigned int                                              n_vertices = 0;
     std::array<OverlapVertex<dim>, max_overlap_vertices<dim>> vertices;
   };
 
@@ -65,7 +65,7 @@ namespace MortarContact
   template <int dim>
   struct ConvexPiece
   {
-    unsigned int                               n_vertices = 0;
+    unsigned int                                n_vertices = 0;
     std::array<unsigned int, max_vertices<dim>> vertices   = {};
   };
 

@@ -143,7 +143,6 @@ namespace MortarContact
   }
 
 
-
   template <int dim>
   inline std::array<VertexValues<dim>, dim - 1>
   shape_gradients(const unsigned int n_vertices, const PlanePoint<dim> &xi)
@@ -162,14 +161,12 @@ namespace MortarContact
   }
 
 
-
   template <int dim>
   inline double
   shape_twist(const unsigned int n_vertices, const unsigned int a)
   {
     return (n_vertices == 4) ? ((a % 2 == 0) ? 1. : -1.) : 0.;
   }
-
 
 
   template <int dim>
@@ -181,7 +178,6 @@ namespace MortarContact
       xi[c] = (n_vertices == 3) ? 1. / 3. : 0.5;
     return xi;
   }
-
 
 
   template <int dim>
@@ -203,7 +199,6 @@ namespace MortarContact
   }
 
 
-
   template <int dim>
   inline bool
   is_inside(const unsigned int     n_vertices,
@@ -222,7 +217,6 @@ namespace MortarContact
   }
 
 
-
   template <int dim>
   inline Tensor<1, dim>
   interpolate(const Facet<dim> &facet, const VertexValues<dim> &weights)
@@ -232,7 +226,6 @@ namespace MortarContact
       x += weights[a] * facet.x[a];
     return x;
   }
-
 
 
   template <int dim>
@@ -246,7 +239,6 @@ namespace MortarContact
   }
 
 
-
   template <int dim>
   inline Tensor<1, dim>
   centre_normal(const Facet<dim> &facet)
@@ -254,13 +246,10 @@ namespace MortarContact
     if constexpr (dim == 2)
       return cross_product_2d(facet.x[1] - facet.x[0]);
     else if (facet.n_vertices == 3)
-      return cross_product_3d(facet.x[1] - facet.x[0],
-                              facet.x[2] - facet.x[0]);
+      return cross_product_3d(facet.x[1] - facet.x[0], facet.x[2] - facet.x[0]);
     else
-      return cross_product_3d(facet.x[2] - facet.x[0],
-                              facet.x[3] - facet.x[1]);
+      return cross_product_3d(facet.x[2] - facet.x[0], facet.x[3] - facet.x[1]);
   }
-
 
 
   template <int dim>
@@ -273,9 +262,8 @@ namespace MortarContact
     else
       return cross_product_3d(interpolate(facet, dN[0]),
                               interpolate(facet, dN[1]))
-        .norm();
+          .norm();
   }
-
 
 
   template <int dim>
@@ -302,7 +290,6 @@ namespace MortarContact
         return sum;
       }
   }
-
 
 
   template <int dim>

@@ -33,8 +33,8 @@ namespace MortarContact
    * One contact interface: two surfaces, their law, their history.
    *
    * Life: add_secondary(), add_primary(), setup(); then for each Newton iterate
-   * update(), add_couplings() where report().couplings_changed, assemble(); then
-   * commit() or rollback(). The *secondary* is the side that carries the
+   * update(), add_couplings() where report().couplings_changed, assemble();
+   * then commit() or rollback(). The *secondary* is the side that carries the
    * integration points (LS-DYNA: SURFA, slave); points are projected onto the
    * *primary* (SURFB, master).
    *
@@ -86,7 +86,8 @@ namespace MortarContact
     void
     setup();
 
-    /// All dofs that this interface may write to: constraints must know of them.
+    /// All dofs that this interface may write to: constraints must know of
+    /// them.
     IndexSet
     relevant_dofs(const types::global_dof_index n_dofs) const;
 
@@ -117,7 +118,8 @@ namespace MortarContact
     /// rhs += contact forces.
     template <class VectorType>
     void
-    assemble(VectorType &rhs, const AffineConstraints<double> &constraints) const;
+    assemble(VectorType                      &rhs,
+             const AffineConstraints<double> &constraints) const;
 
     /// Largest factor in (0, 1] for the Newton update @p du at @p u by which
     /// no facet passes another unseen.
@@ -244,20 +246,20 @@ namespace MortarContact
 
     /// Forces and tangent of an active pair on its dofs.
     void
-    distribute_pair(const unsigned int                           sweep,
+    distribute_pair(const unsigned int                            sweep,
                     const typename ContactSweep<dim>::ActivePair &pair,
                     const bool                                    with_tangent,
                     std::vector<types::global_dof_index>         &dofs,
                     Vector<double>                               &forces,
-                    FullMatrix<double>                           &tangent) const;
+                    FullMatrix<double> &tangent) const;
 
-    const MPI_Comm                       communicator;
-    std::unique_ptr<PressureLaw>         law;
-    std::vector<SurfaceFacet<dim>>       extracted[2];
-    ContactSurface<dim>                  surfaces[2];
+    const MPI_Comm                                  communicator;
+    std::unique_ptr<PressureLaw>                    law;
+    std::vector<SurfaceFacet<dim>>                  extracted[2];
+    ContactSurface<dim>                             surfaces[2];
     std::vector<std::unique_ptr<ContactSweep<dim>>> sweeps;
-    ContactReport                        last_report;
-    bool                                 pattern_is_current = false;
+    ContactReport                                   last_report;
+    bool                                            pattern_is_current = false;
 
     std::vector<types::global_dof_index> dofs;   ///< Of both surfaces, sorted.
     std::vector<double>                  values; ///< Of these dofs.

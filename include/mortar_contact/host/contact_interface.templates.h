@@ -23,7 +23,6 @@ namespace MortarContact
   }
 
 
-
   template <int dim>
   template <class VectorType>
   void
@@ -38,13 +37,12 @@ namespace MortarContact
   }
 
 
-
   template <int dim>
   template <class SparsityType>
   void
   ContactInterface<dim>::add_couplings(
-    SparsityType                    &sparsity,
-    const AffineConstraints<double> &constraints)
+      SparsityType                    &sparsity,
+      const AffineConstraints<double> &constraints)
   {
     for (unsigned int i = 0; i < sweeps.size(); ++i)
       for (const auto &[s, p] : sweeps[i]->candidates())
@@ -56,14 +54,13 @@ namespace MortarContact
   }
 
 
-
   template <int dim>
   template <class MatrixType, class VectorType>
   void
   ContactInterface<dim>::assemble(
-    MatrixType                      &matrix,
-    VectorType                      &rhs,
-    const AffineConstraints<double> &constraints) const
+      MatrixType                      &matrix,
+      VectorType                      &rhs,
+      const AffineConstraints<double> &constraints) const
   {
     Assert(pattern_is_current,
            ExcMessage("Pairs have come since the last add_couplings()."));
@@ -75,18 +72,17 @@ namespace MortarContact
         {
           distribute_pair(i, pair, true, pair_dofs, forces, tangent);
           constraints.distribute_local_to_global(
-            tangent, forces, pair_dofs, matrix, rhs);
+              tangent, forces, pair_dofs, matrix, rhs);
         }
   }
-
 
 
   template <int dim>
   template <class VectorType>
   void
   ContactInterface<dim>::assemble(
-    VectorType                      &rhs,
-    const AffineConstraints<double> &constraints) const
+      VectorType                      &rhs,
+      const AffineConstraints<double> &constraints) const
   {
     std::vector<types::global_dof_index> pair_dofs;
     Vector<double>                       forces;
@@ -98,7 +94,6 @@ namespace MortarContact
           constraints.distribute_local_to_global(forces, pair_dofs, rhs);
         }
   }
-
 
 
   template <int dim>
@@ -116,7 +111,7 @@ namespace MortarContact
     std::vector<Facet<dim>> moved[2];
     for (unsigned int side = 0; side < 2; ++side)
       moved[side] =
-        surfaces[side].moved([&](const auto dof) { return value(dof); });
+          surfaces[side].moved([&](const auto dof) { return value(dof); });
     values = from;
 
     double step = 1.;
@@ -124,7 +119,6 @@ namespace MortarContact
       step = std::min(step, sweeps[i]->safe_step(moved[i], moved[1 - i]));
     return Utilities::MPI::min(step, communicator);
   }
-
 
 
   template <int dim>

@@ -12,15 +12,15 @@ namespace MortarContact
   template <int dim>
   struct FacetState
   {
-    Facet<dim>   current;
-    Facet<dim>   reference;
+    Facet<dim> current;
+    Facet<dim> reference;
     /// Contact pressure at the vertices, Cauchy: contact force per present
     /// area, positive; zero without contact [Pa].
-    VertexValues<dim> pressure = {};
-    double       penetration   = 0.; ///< Deepest on the facet [m]
-    double       relative      = 0.; ///< Over the release depth [-]
-    unsigned int side          = 0;  ///< 0 secondary, 1 primary.
-    FacetLabel   label;
+    VertexValues<dim> pressure    = {};
+    double            penetration = 0.; ///< Deepest on the facet [m]
+    double            relative    = 0.; ///< Over the release depth [-]
+    unsigned int      side        = 0;  ///< 0 secondary, 1 primary.
+    FacetLabel        label;
   };
 
   /**
@@ -28,13 +28,14 @@ namespace MortarContact
    * ranks the same, in the same order.
    *
    * The pressure at a vertex is the contact force on it along the normals of
-   * its facets over the share of area of it: sum_f F_fa / sum_f A_f / n_f (A_f area,
-   * n_f vertices of facet f): exact for uniform pressure on parallelograms and
-   * triangles that contact covers.
+   * its facets over the share of area of it: sum_f F_fa / sum_f A_f / n_f (A_f
+   * area, n_f vertices of facet f): exact for uniform pressure on
+   * parallelograms and triangles that contact covers.
    */
   template <int dim>
   std::vector<FacetState<dim>>
-  facet_states(const ContactInterface<dim> &contact, const MPI_Comm communicator);
+  facet_states(const ContactInterface<dim> &contact,
+               const MPI_Comm               communicator);
 
   /// Write the contact surfaces of an interface as a VTU file, on rank 0.
   template <int dim>

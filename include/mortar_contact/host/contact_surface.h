@@ -57,13 +57,13 @@ namespace MortarContact
   template <int dim>
   struct SurfaceFacet
   {
-    unsigned int                                n_vertices = 0;
+    unsigned int                                      n_vertices = 0;
     std::array<SurfaceVertex<dim>, max_vertices<dim>> vertices;
-    FacetLabel   label;
-    unsigned int face     = 0;  ///< Face of the cell, and
-    unsigned int subfacet = 0;  ///< part of the face.
-    double       modulus  = 0.; ///< K of the cell's material [Pa]
-    double       length   = 0.; ///< Height of the cell over the face [m]
+    FacetLabel                                        label;
+    unsigned int face          = 0;  ///< Face of the cell, and
+    unsigned int subfacet      = 0;  ///< part of the face.
+    double       modulus       = 0.; ///< K of the cell's material [Pa]
+    double       length        = 0.; ///< Height of the cell over the face [m]
     double       shortest_edge = 0.; ///< Of the part [m]
     unsigned int owner         = 0;  ///< Rank
 
@@ -72,17 +72,17 @@ namespace MortarContact
     serialize(Archive &archive, const unsigned int)
     {
       archive &n_vertices &vertices &label &face &subfacet &modulus &length
-        &shortest_edge &owner;
+          &shortest_edge &owner;
     }
   };
 
   /// How the contact stiffness of a surface is chosen.
   struct SurfaceStiffness
   {
-    double modulus            = 0.;    ///< [Pa]; 0: of the cells.
-    double length             = 0.;    ///< [m]; 0: of the cells.
-    bool   use_shortest_edge  = false; ///< For length: of the part.
-    double offset             = 0.;    ///< Contact surface over mesh [m]
+    double modulus           = 0.;    ///< [Pa]; 0: of the cells.
+    double length            = 0.;    ///< [m]; 0: of the cells.
+    bool   use_shortest_edge = false; ///< For length: of the part.
+    double offset            = 0.;    ///< Contact surface over mesh [m]
   };
 
   /**
@@ -106,8 +106,8 @@ namespace MortarContact
 
     /// Where the facets would be with other displacements.
     std::vector<Facet<dim>>
-    moved(
-      const std::function<double(types::global_dof_index)> &displacement) const;
+    moved(const std::function<double(types::global_dof_index)> &displacement)
+        const;
 
     /// All dofs of all rows, sorted, without repetition.
     std::vector<types::global_dof_index>
@@ -125,9 +125,9 @@ namespace MortarContact
 
   private:
     Tensor<1, dim>
-    position(
-      const SurfaceVertex<dim>                             &v,
-      const std::function<double(types::global_dof_index)> &displacement) const;
+    position(const SurfaceVertex<dim>                             &v,
+             const std::function<double(types::global_dof_index)> &displacement)
+        const;
 
     std::vector<SurfaceVertex<dim>>                          vertices;
     std::vector<std::array<unsigned int, max_vertices<dim>>> facet_vertices;

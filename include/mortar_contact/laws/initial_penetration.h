@@ -10,11 +10,11 @@ namespace MortarContact
   /// What is done about penetrations that are there at the start (IGNORE).
   enum class InitialPenetration
   {
-    stress          = 0, ///< They give contact pressure at once.
-    track           = 1, ///< The surface follows the opening, then is itself.
-    ignore          = 2, ///< The surface stays at the penetrated level.
-    remove          = 3, ///< The level goes back linearly over a time.
-    remove_deep     = 4  ///< As remove, for penetrations of any size.
+    stress      = 0, ///< They give contact pressure at once.
+    track       = 1, ///< The surface follows the opening, then is itself.
+    ignore      = 2, ///< The surface stays at the penetrated level.
+    remove      = 3, ///< The level goes back linearly over a time.
+    remove_deep = 4  ///< As remove, for penetrations of any size.
   };
 
   /**

@@ -57,11 +57,11 @@ namespace MortarContact
     NormalResponse
     curve_at(const double x) const;
 
-    PressureCurve curve;
-    double        scale, width;
-    double        x_q, x_m;           ///< Start and end of stiffening.
-    double        cubic;              ///< (IGAP - 1) f0(x_m).
-    NormalResponse at_largest;        ///< f at x_m.
+    PressureCurve  curve;
+    double         scale, width;
+    double         x_q, x_m;   ///< Start and end of stiffening.
+    double         cubic;      ///< (IGAP - 1) f0(x_m).
+    NormalResponse at_largest; ///< f at x_m.
   };
 } // namespace MortarContact
 

@@ -15,15 +15,15 @@ namespace MortarContact
   template <int dim>
   struct InitialFindings
   {
-    unsigned int   n_facets = 0; ///< Facets that penetrate.
+    unsigned int   n_facets = 0;  ///< Facets that penetrate.
     double         depth    = 0.; ///< Deepest penetration found [m].
     unsigned int   facet    = 0;  ///< Secondary facet and
     Tensor<1, dim> position;      ///< place of the deepest.
     /// Facets that penetrate deeper than the release depth (or MPAR2) at the
     /// start, and are not treated therefore; the deepest.
-    unsigned int n_too_deep    = 0;
-    double       too_deep      = 0.;
-    unsigned int too_deep_facet = 0;
+    unsigned int   n_too_deep     = 0;
+    double         too_deep       = 0.;
+    unsigned int   too_deep_facet = 0;
     Tensor<1, dim> too_deep_position;
   };
 
@@ -161,11 +161,11 @@ namespace MortarContact
     /// Depth below the nearest facing primary facet along the normal at @p xi,
     /// at most @p deepest.
     std::optional<Depth>
-    depth_at(const SecondaryFrame<dim>        &frame,
-             const PlanePoint<dim>            &xi,
-             const unsigned int                secondary_facet,
-             const std::vector<unsigned int>  &among,
-             const double                      deepest) const;
+    depth_at(const SecondaryFrame<dim>       &frame,
+             const PlanePoint<dim>           &xi,
+             const unsigned int               secondary_facet,
+             const std::vector<unsigned int> &among,
+             const double                     deepest) const;
 
     /// Depths on one facet.
     struct FacetDepths
@@ -200,7 +200,7 @@ namespace MortarContact
     double             margin; ///< Motion that candidates allow for [m].
     double             deepest_level = 0.; ///< Of the history [m].
 
-    ContactHistory<dim>        history;
+    ContactHistory<dim>                                history;
     std::vector<unsigned int>                          owned;
     std::vector<std::pair<unsigned int, unsigned int>> pairs;
     std::vector<Facet<dim>>                            searched_s, searched_p;

@@ -30,8 +30,8 @@ namespace MortarContact
       segments, ///< Clipping, exact for plane facets.
       points    ///< Points fixed on the secondary, no clipping: cheaper.
     };
-    Rule         rule                 = Rule::segments;
-    unsigned int degree               = 5; ///< Of the rule on segments, 2 to 6.
+    Rule         rule   = Rule::segments;
+    unsigned int degree = 5; ///< Of the rule on segments, 2 to 6.
     /// For Rule::points. Even: no point lies on the middle line of a facet,
     /// where edges of another regular mesh like to be.
     unsigned int points_per_direction = 4;
@@ -63,12 +63,12 @@ namespace MortarContact
     Tensor<1, dim> deepest_position;
     /// Largest overlap of the two meshes: d plus what the treatment of initial
     /// penetrations takes off [m].
-    double         overlap      = 0.;
-    double         smallest_gap = std::numeric_limits<double>::max();
-    unsigned int   n_points     = 0;
-    unsigned int   n_active     = 0;
-    unsigned int   n_beyond     = 0; ///< Points deeper than the ceiling.
-    bool           is_degenerate = false; ///< A facet without a usable shape.
+    double       overlap       = 0.;
+    double       smallest_gap  = std::numeric_limits<double>::max();
+    unsigned int n_points      = 0;
+    unsigned int n_active      = 0;
+    unsigned int n_beyond      = 0;     ///< Points deeper than the ceiling.
+    bool         is_degenerate = false; ///< A facet without a usable shape.
 
     bool
     is_active() const
@@ -198,9 +198,9 @@ namespace MortarContact
              const Sums                &sums,
              PairBlock<dim>            &block) const;
 
-    const PressureLaw              *law;
-    std::vector<SimplexPoint<dim>>  rule;
-    std::vector<double>             points_1d, weights_1d;
+    const PressureLaw             *law;
+    std::vector<SimplexPoint<dim>> rule;
+    std::vector<double>            points_1d, weights_1d;
   };
 } // namespace MortarContact
 

@@ -27,14 +27,14 @@ namespace MortarContact
   {
     explicit SecondaryFrame(const Facet<dim> &facet);
 
-    Facet<dim>                           facet;
-    Tensor<1, dim>                       centre;
-    Tensor<1, dim>                       normal; ///< n, unit, outward.
-    double                               normal_length; ///< |w|
-    std::array<Tensor<1, dim>, dim - 1>  basis;
-    PlaneFacet<dim>                      y;      ///< Projected vertices.
-    VertexValues<dim>                    height; ///< n . (x_a - centre)
-    double                               diameter;
+    Facet<dim>                          facet;
+    Tensor<1, dim>                      centre;
+    Tensor<1, dim>                      normal;        ///< n, unit, outward.
+    double                              normal_length; ///< |w|
+    std::array<Tensor<1, dim>, dim - 1> basis;
+    PlaneFacet<dim>                     y;      ///< Projected vertices.
+    VertexValues<dim>                   height; ///< n . (x_a - centre)
+    double                              diameter;
 
     /// dw/dx_a of the unnormalised normal w, [vertex] dim x dim.
     std::array<Tensor<2, dim>, max_vertices<dim>> dw;

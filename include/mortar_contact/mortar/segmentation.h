@@ -41,9 +41,9 @@ namespace MortarContact
 
   /**
    * Mortar segments: the overlap of two facets in the secondary's plane, cut
-   * into simplices (an interval in 2d; in 3d triangles around the area centroid,
-   * which must be the area centroid: with the mean of the vertices the
-   * quadrature would jump when the overlap gains a vertex).
+   * into simplices (an interval in 2d; in 3d triangles around the area
+   * centroid, which must be the area centroid: with the mean of the vertices
+   * the quadrature would jump when the overlap gains a vertex).
    */
   template <int dim>
   class MortarSegments

@@ -43,20 +43,20 @@ namespace MortarContact
     double      modulus         = 0.;  ///< K [Pa]; 0: of the cells' materials.
     std::string stiffness_side  = "automatic";
     /// "local", "shortest edge", or a length [m].
-    std::string characteristic_length = "local";
+    std::string characteristic_length  = "local";
     double      progressive_stiffening = 1.; ///< IGAP [-], >= 1
     double      largest_penetration    = 0.; ///< PENMAX [m]; 0: l/2.
     Release     release                = Release::cut_back;
     double      secondary_offset       = 0.; ///< [m]
     double      primary_offset         = 0.; ///< [m]
 
-    InitialPenetration initial_penetration  = InitialPenetration::stress;
-    double             initial_pressure     = 0.; ///< MPAR1 for ignore [Pa]
-    double             removal_time         = 0.; ///< MPAR1 for remove [s]
-    double             deepest_penetration  = 0.; ///< MPAR2 [m]
+    InitialPenetration initial_penetration = InitialPenetration::stress;
+    double             initial_pressure    = 0.; ///< MPAR1 for ignore [Pa]
+    double             removal_time        = 0.; ///< MPAR1 for remove [s]
+    double             deepest_penetration = 0.; ///< MPAR2 [m]
 
-    unsigned int report_every     = 1; ///< MINFO, steps; 0: never.
-    unsigned int n_worst_facets   = 3;
+    unsigned int report_every      = 1; ///< MINFO, steps; 0: never.
+    unsigned int n_worst_facets    = 3;
     bool         symmetric_tangent = false;
 
     /// Declare all entries with their defaults and help.

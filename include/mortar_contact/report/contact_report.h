@@ -32,10 +32,10 @@ namespace MortarContact
   /// One of the deepest penetrations.
   struct DeepPenetration
   {
-    double         penetration = 0.; ///< [m]
-    double         relative    = 0.; ///< Over the release depth; 1: released.
-    FacetLabel     secondary, primary;
-    Tensor<1, 3>   position; ///< [m]
+    double       penetration = 0.; ///< [m]
+    double       relative    = 0.; ///< Over the release depth; 1: released.
+    FacetLabel   secondary, primary;
+    Tensor<1, 3> position; ///< [m]
 
     template <class Archive>
     void
@@ -48,8 +48,8 @@ namespace MortarContact
   /// What was found at the start, and what is done about it.
   struct InitialReport
   {
-    unsigned int    n_facets = 0; ///< Facets that penetrate and are treated.
-    DeepPenetration deepest;      ///< Of them.
+    unsigned int       n_facets = 0; ///< Facets that penetrate and are treated.
+    DeepPenetration    deepest;      ///< Of them.
     InitialPenetration treatment = InitialPenetration::stress;
     /// Facets that penetrate by more than the release depth: no contact there
     /// until they separate (IGNORE 0 to 3).
@@ -85,7 +85,7 @@ namespace MortarContact
     double relative_penetration = 0.; ///< Largest, over the release depth.
     double mean_penetration     = 0.; ///< Over the active area [m]
     double largest_overlap      = 0.; ///< Of the meshes, see PairBlock [m]
-    double smallest_gap = std::numeric_limits<double>::max(); ///< [m]
+    double smallest_gap         = std::numeric_limits<double>::max(); ///< [m]
     Tensor<1, 3> force;  ///< Resultant [N]
     Tensor<1, 3> moment; ///< About the origin [N m]
 
