@@ -98,7 +98,7 @@ namespace
   {
     std::vector<unsigned int> result;
     for (const double n : Utilities::string_to_double(
-             Utilities::split_string_list(prm.get("Cells"))))
+           Utilities::split_string_list(prm.get("Cells"))))
       result.push_back(static_cast<unsigned int>(n));
     return result;
   }
@@ -140,7 +140,7 @@ namespace
     rubber.material.youngs_modulus = prm.get_double("Young's modulus");
     if (rubber.material.youngs_modulus == 0.)
       rubber.material.youngs_modulus =
-          youngs_modulus_of_rubber(prm.get_double("Hardness"));
+        youngs_modulus_of_rubber(prm.get_double("Hardness"));
     rubber.material.poissons_ratio = prm.get_double("Poisson's ratio");
     prm.leave_subsection();
 
@@ -196,21 +196,21 @@ namespace
       return c;
     };
     BoundaryCondition bond =
-        condition("shaft", "rubber", {2}, Type::displacement);
+      condition("shaft", "rubber", {2}, Type::displacement);
     bond.values = {{"0",
                     "0",
                     formula(shaft) + "*max(0,t-" + formula(removal_time) +
-                        ")/" + formula(removal_time)}};
+                      ")/" + formula(removal_time)}};
     BoundaryCondition housing =
-        condition("housing", "seat", {3}, Type::displacement);
+      condition("housing", "seat", {3}, Type::displacement);
     housing.values   = {{"0", "0", "0"}};
     scene.conditions = {bond, housing};
     if (angle < 360.)
       {
         scene.conditions.push_back(condition(
-            "symmetry of the rubber", "rubber", {0, 1}, Type::symmetry));
+          "symmetry of the rubber", "rubber", {0, 1}, Type::symmetry));
         scene.conditions.push_back(
-            condition("symmetry of the seat", "seat", {0, 1}, Type::symmetry));
+          condition("symmetry of the seat", "seat", {0, 1}, Type::symmetry));
       }
 
     InterfaceParameters fit;
@@ -258,8 +258,8 @@ main(int argc, char **argv)
   Structure::Driver driver;
   driver.name = "rubber_fit";
   driver.description =
-      "A rubber ring relaxes out of a deep initial overlap with "
-      "its steel seat.";
+    "A rubber ring relaxes out of a deep initial overlap with "
+    "its steel seat.";
   driver.read     = read_fit;
   driver.defaults = defaults;
   return Structure::run_driver(driver, argc, argv);

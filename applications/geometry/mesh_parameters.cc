@@ -31,10 +31,10 @@ namespace Structure
     Point<dim>
     point_of(const std::vector<double> &list, const std::string &entry)
     {
-      AssertThrow(
-          list.size() == dim,
-          ExcMessage("'Mesh/" + entry + "' has " + std::to_string(list.size()) +
-                     " numbers; expected " + std::to_string(dim) + "."));
+      AssertThrow(list.size() == dim,
+                  ExcMessage(
+                    "'Mesh/" + entry + "' has " + std::to_string(list.size()) +
+                    " numbers; expected " + std::to_string(dim) + "."));
       Point<dim> p;
       for (unsigned int i = 0; i < dim; ++i)
         p[i] = list[i];
@@ -78,9 +78,9 @@ namespace Structure
           {
             AssertThrow(false,
                         ExcMessage(
-                            "'Mesh/" + entry + "' is '" + text +
-                            "'; expected a number or a formula in z, phi "
-                            "and pi."));
+                          "'Mesh/" + entry + "' is '" + text +
+                          "'; expected a number or a formula in z, phi "
+                          "and pi."));
           }
       }
 
@@ -102,7 +102,7 @@ namespace Structure
     make_revolution(const MeshParameters &m, Triangulation<dim> &mesh)
     {
       AssertThrow(m.last_angle > m.first_angle &&
-                      m.last_angle - m.first_angle <= 360. + 1e-9,
+                    m.last_angle - m.first_angle <= 360. + 1e-9,
                   ExcMessage("'Mesh/First angle' and 'Mesh/Last angle' span " +
                              std::to_string(m.last_angle - m.first_angle) +
                              " degrees; expected more than 0, at most 360."));
@@ -110,30 +110,30 @@ namespace Structure
       const RadiusFormula inner(m.inner_radius, "Inner radius");
       const RadiusFormula outer(m.outer_radius, "Outer radius");
       make_structured_mesh<dim>(
-          cells_of<dim>(m),
-          closed,
-          [&](const Point<dim> &s) {
-            // angles run backwards so that (angle, radius, z) is right-handed
-            const double phi =
-                numbers::PI / 180. *
-                (m.last_angle + s[0] * (m.first_angle - m.last_angle));
-            const double z = (dim == 3) ? s[dim - 1] * m.length : 0.;
-            const double a = inner(z, phi), b = outer(z, phi);
-            AssertThrow(b > a && a > 0.,
-                        ExcMessage(
-                            "'Mesh/Inner radius' is " + std::to_string(a) +
-                            " and 'Mesh/Outer radius' is " + std::to_string(b) +
-                            " at z = " + std::to_string(z) +
-                            "; expected 0 < inner < outer."));
-            const double r = a + s[1] * (b - a);
-            Point<dim>   p;
-            p[0] = r * std::cos(phi);
-            p[1] = r * std::sin(phi);
-            if constexpr (dim == 3)
-              p[2] = z;
-            return p;
-          },
-          mesh);
+        cells_of<dim>(m),
+        closed,
+        [&](const Point<dim> &s) {
+          // angles run backwards so that (angle, radius, z) is right-handed
+          const double phi =
+            numbers::PI / 180. *
+            (m.last_angle + s[0] * (m.first_angle - m.last_angle));
+          const double z = (dim == 3) ? s[dim - 1] * m.length : 0.;
+          const double a = inner(z, phi), b = outer(z, phi);
+          AssertThrow(b > a && a > 0.,
+                      ExcMessage("'Mesh/Inner radius' is " + std::to_string(a) +
+                                 " and 'Mesh/Outer radius' is " +
+                                 std::to_string(b) +
+                                 " at z = " + std::to_string(z) +
+                                 "; expected 0 < inner < outer."));
+          const double r = a + s[1] * (b - a);
+          Point<dim>   p;
+          p[0] = r * std::cos(phi);
+          p[1] = r * std::sin(phi);
+          if constexpr (dim == 3)
+            p[2] = z;
+          return p;
+        },
+        mesh);
       // new vertices of refined cells go on circles around the axis
       if constexpr (dim == 2)
         mesh.set_manifold(1, PolarManifold<2>());
@@ -168,11 +168,11 @@ namespace Structure
         {
           AssertThrow(false,
                       ExcMessage(
-                          "'Mesh/File' is '" + m.file +
-                          "'; expected a readable mesh of dimension " +
-                          std::to_string(dim) +
-                          ": gmsh (.msh, ASCII 2 or 4), Abaqus (.inp) or "
-                          "VTK (.vtk)."));
+                        "'Mesh/File' is '" + m.file +
+                        "'; expected a readable mesh of dimension " +
+                        std::to_string(dim) +
+                        ": gmsh (.msh, ASCII 2 or 4), Abaqus (.inp) or "
+                        "VTK (.vtk)."));
         }
     }
   } // namespace
@@ -183,16 +183,16 @@ namespace Structure
   {
     const Patterns::List doubles(Patterns::Double(), 0, 3);
     prm.declare_entry(
-        "Type",
-        "box",
-        Patterns::Selection("box|revolution|ball|ball sector|cylinder|file"),
-        "box: Lower and Upper corner, Cells; boundary ids 0 1 at low and high x, 2 "
-        "3 at y, 4 5 at z. revolution: ring around z from Inner to Outer radius, z "
-        "from 0 to Length, Cells around, across and along; ids 0 1 at Last and "
-        "First angle (none if closed), 2 inside, 3 outside, 4 5 at the ends. ball: "
-        "Radius, id 0. ball sector: the part with x, y(, z) > 0; id 0 outside, 1 "
-        "on the planes. cylinder: Radius, from -Length/2 to Length/2 along z; ids "
-        "0 outside, 1 2 at the ends. file: gmsh .msh, Abaqus .inp, .vtk.");
+      "Type",
+      "box",
+      Patterns::Selection("box|revolution|ball|ball sector|cylinder|file"),
+      "box: Lower and Upper corner, Cells; boundary ids 0 1 at low and high x, 2 "
+      "3 at y, 4 5 at z. revolution: ring around z from Inner to Outer radius, z "
+      "from 0 to Length, Cells around, across and along; ids 0 1 at Last and "
+      "First angle (none if closed), 2 inside, 3 outside, 4 5 at the ends. ball: "
+      "Radius, id 0. ball sector: the part with x, y(, z) > 0; id 0 outside, 1 "
+      "on the planes. cylinder: Radius, from -Length/2 to Length/2 along z; ids "
+      "0 outside, 1 2 at the ends. file: gmsh .msh, Abaqus .inp, .vtk.");
     prm.declare_entry("File", "", Patterns::Anything(), "Mesh file.");
     prm.declare_entry("Scale",
                       "1.0",
@@ -250,11 +250,11 @@ namespace Structure
                       Patterns::Bool(),
                       "Split the cells into tetrahedra (triangles).");
     prm.declare_entry(
-        "Distortion",
-        "0.0",
-        Patterns::Double(0., 0.4),
-        "Random motion of inner vertices, for boxes also of those "
-        "on faces along the faces, over the cell size [-].");
+      "Distortion",
+      "0.0",
+      Patterns::Double(0., 0.4),
+      "Random motion of inner vertices, for boxes also of those "
+      "on faces along the faces, over the cell size [-].");
     prm.declare_entry("Rotation axis",
                       "0, 0, 1",
                       doubles,
@@ -315,28 +315,28 @@ namespace Structure
         for (unsigned int i = 0; i < dim; ++i)
           AssertThrow(high[i] > low[i],
                       ExcMessage(
-                          "'Mesh/Upper corner' is not beyond 'Mesh/Lower "
-                          "corner' in direction " +
-                          std::string(1, "xyz"[i]) + "."));
+                        "'Mesh/Upper corner' is not beyond 'Mesh/Lower "
+                        "corner' in direction " +
+                        std::string(1, "xyz"[i]) + "."));
         const std::array<unsigned int, dim> n = cells_of<dim>(m);
         std::mt19937                        random(1);
         make_structured_mesh<dim>(
-            n,
-            false,
-            [&](const Point<dim> &s) {
-              Point<dim> p;
-              for (unsigned int i = 0; i < dim; ++i)
-                {
-                  // vertices on faces, edges, corners stay there
-                  const bool   stays = s[i] == 0. || s[i] == 1.;
-                  const double share = random() / double(random.max()) - 0.5;
-                  const double moved =
-                      s[i] + (stays ? 0. : 2. * m.distortion * share / n[i]);
-                  p[i] = low[i] + moved * (high[i] - low[i]);
-                }
-              return p;
-            },
-            mesh);
+          n,
+          false,
+          [&](const Point<dim> &s) {
+            Point<dim> p;
+            for (unsigned int i = 0; i < dim; ++i)
+              {
+                // vertices on faces, edges, corners stay there
+                const bool   stays = s[i] == 0. || s[i] == 1.;
+                const double share = random() / double(random.max()) - 0.5;
+                const double moved =
+                  s[i] + (stays ? 0. : 2. * m.distortion * share / n[i]);
+                p[i] = low[i] + moved * (high[i] - low[i]);
+              }
+            return p;
+          },
+          mesh);
       }
     else if (m.type == "revolution")
       make_revolution(m, mesh);
@@ -348,8 +348,8 @@ namespace Structure
       {
         AssertThrow(dim == 3,
                     ExcMessage(
-                        "'Mesh/Type' is 'cylinder' but 'Dimension' is 2; "
-                        "a disc is a 'ball' there."));
+                      "'Mesh/Type' is 'cylinder' but 'Dimension' is 2; "
+                      "a disc is a 'ball' there."));
         if constexpr (dim == 3)
           {
             GridGenerator::cylinder(mesh, m.radius, 0.5 * m.length);
@@ -408,7 +408,7 @@ namespace Structure
             else
               {
                 const Point<dim> axis =
-                    point_of<dim>(m.rotation_axis, "Rotation axis");
+                  point_of<dim>(m.rotation_axis, "Rotation axis");
                 AssertThrow(axis.norm() > 0.,
                             ExcMessage("'Mesh/Rotation axis' is 0, 0, 0; "
                                        "expected a direction."));

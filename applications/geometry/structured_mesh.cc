@@ -12,10 +12,10 @@ namespace Structure
   template <int dim>
   void
   make_structured_mesh(
-      const std::array<unsigned int, dim>                 &n,
-      const bool                                           closed,
-      const std::function<Point<dim>(const Point<dim> &)> &place,
-      Triangulation<dim>                                  &mesh)
+    const std::array<unsigned int, dim>                 &n,
+    const bool                                           closed,
+    const std::function<Point<dim>(const Point<dim> &)> &place,
+    Triangulation<dim>                                  &mesh)
   {
     // vertices in each direction
     std::array<unsigned int, dim> m;

@@ -21,10 +21,10 @@ namespace Structure
   template <int dim>
   void
   make_structured_mesh(
-      const std::array<unsigned int, dim>                 &n,
-      const bool                                           closed,
-      const std::function<Point<dim>(const Point<dim> &)> &place,
-      Triangulation<dim>                                  &mesh);
+    const std::array<unsigned int, dim>                 &n,
+    const bool                                           closed,
+    const std::function<Point<dim>(const Point<dim> &)> &place,
+    Triangulation<dim>                                  &mesh);
 } // namespace Structure
 
 #endif

@@ -42,8 +42,8 @@ namespace Structure
           axis = i;
 
       std::vector<
-          std::pair<double, typename Triangulation<dim>::active_cell_iterator>>
-          cells;
+        std::pair<double, typename Triangulation<dim>::active_cell_iterator>>
+        cells;
       for (const auto &cell : tria.active_cell_iterators())
         cells.emplace_back(cell->center()[axis], cell);
       std::stable_sort(cells.begin(),
@@ -68,17 +68,17 @@ namespace Structure
     , material(std::move(material))
     , mean_dilatation(mean_dilatation)
     , triangulation(
-          communicator,
-          Triangulation<dim>::none,
-          false,
-          parallel::shared::Triangulation<dim>::partition_custom_signal)
+        communicator,
+        Triangulation<dim>::none,
+        false,
+        parallel::shared::Triangulation<dim>::partition_custom_signal)
     , dof_handler(triangulation)
   {
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
     for (auto *signal : {&triangulation.signals.create,
                          &triangulation.signals.post_refinement})
       signal->connect(
-          [this, n_ranks]() { partition_in_slices(triangulation, n_ranks); });
+        [this, n_ranks]() { partition_in_slices(triangulation, n_ranks); });
     triangulation.copy_triangulation(mesh);
 
     const bool simplices = triangulation.all_reference_cells_are_simplex();

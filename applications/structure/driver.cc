@@ -66,13 +66,13 @@ namespace Structure
     bool        print = false, check = false, quiet = false;
     source.driver = driver.name;
     app.add_option("FILE", source.file, "Parameter file (.prm)");
-    app.add_option(
-           "--set",
-           source.settings,
-           "\"Section/Sub section/Entry=value\", after the file; may be "
-           "given several times")
-        ->expected(1)
-        ->take_all();
+    app
+      .add_option("--set",
+                  source.settings,
+                  "\"Section/Sub section/Entry=value\", after the file; may be "
+                  "given several times")
+      ->expected(1)
+      ->take_all();
     app.add_option("--output", output, "Folder for the results");
     app.add_option("--restart", restart, "Continue the run in this folder");
     app.add_flag("--print-parameters", print, "Print the annotated defaults");
@@ -111,10 +111,9 @@ namespace Structure
         Log         log(MPI_COMM_WORLD, quiet);
         log.line(driver.name + " " + source.file);
 
-        const ExitCode code =
-            (scene.dimension == 2) ?
-                run_scene<2>(scene, used, restart, check, log) :
-                run_scene<3>(scene, used, restart, check, log);
+        const ExitCode code = (scene.dimension == 2) ?
+                                run_scene<2>(scene, used, restart, check, log) :
+                                run_scene<3>(scene, used, restart, check, log);
         if (code == finished && !check && driver.finish)
           driver.finish(scene.output.directory, MPI_COMM_WORLD);
         return code;

@@ -49,11 +49,11 @@ namespace Structure
   template <int dim>
   bool
   Element<dim>::evaluate(
-      const typename DoFHandler<dim>::active_cell_iterator &cell,
-      const Vector<double>                                 &u,
-      const bool                                            with_tangent,
-      Vector<double>                                       &forces,
-      FullMatrix<double>                                   &tangent)
+    const typename DoFHandler<dim>::active_cell_iterator &cell,
+    const Vector<double>                                 &u,
+    const bool                                            with_tangent,
+    Vector<double>                                       &forces,
+    FullMatrix<double>                                   &tangent)
   {
     fe_values.reinit(cell);
     const unsigned int n        = component.size();
@@ -105,7 +105,7 @@ namespace Structure
                   for (unsigned int k = 0; k < 3; ++k)
                     for (unsigned int L = 0; L < 3; ++L)
                       r.A[i][K][k][L] +=
-                          J * p * (H[i][K] * H[k][L] - H[i][L] * H[k][K]);
+                        J * p * (H[i][K] * H[k][L] - H[i][L] * H[k][K]);
             for (unsigned int a = 0; a < n; ++a)
               {
                 const Tensor<1, dim> g = fe_values.shape_grad(a, q);
@@ -120,7 +120,7 @@ namespace Structure
           }
 
         const Tensor<2, 3> tau =
-            material.is_linear ? r.P : Tensor<2, 3>(r.P * transpose(F[q]) / J);
+          material.is_linear ? r.P : Tensor<2, 3>(r.P * transpose(F[q]) / J);
         cell_state.stress += w / volume * symmetrize(tau);
 
         for (unsigned int a = 0; a < n; ++a)

@@ -44,11 +44,11 @@ namespace Structure
                       "direct: MUMPS. iterative: CG or GMRES with algebraic "
                       "multigrid. automatic: direct up to the limit below.");
     prm.declare_entry(
-        "Direct up to",
-        "60000",
-        Patterns::Integer(0),
-        "Unknowns up to which automatic means direct in 3d; in 2d "
-        "ten times as many [-].");
+      "Direct up to",
+      "60000",
+      Patterns::Integer(0),
+      "Unknowns up to which automatic means direct in 3d; in 2d "
+      "ten times as many [-].");
     prm.declare_entry("Tolerance",
                       "1e-10",
                       Patterns::Double(1e-15, 1e-1),
@@ -78,9 +78,9 @@ namespace Structure
   {
     LinearSolve result;
     const bool  iterative =
-        parameters.type == "iterative" ||
-        (parameters.type == "automatic" &&
-         model.n_dofs() > parameters.direct_limit * (dim == 2 ? 10. : 1.));
+      parameters.type == "iterative" ||
+      (parameters.type == "automatic" &&
+       model.n_dofs() > parameters.direct_limit * (dim == 2 ? 10. : 1.));
     if (iterative)
       {
         TrilinosWrappers::PreconditionAMG                 amg;
@@ -93,7 +93,7 @@ namespace Structure
         data.set_parameters(list, modes, model.matrix);
         const auto rigid = model.rigid_body_modes();
         modes            = std::make_unique<Epetra_MultiVector>(
-            model.matrix.trilinos_matrix().DomainMap(), rigid.size());
+          model.matrix.trilinos_matrix().DomainMap(), rigid.size());
         for (unsigned int m = 0; m < rigid.size(); ++m)
           for (unsigned int i = 0; i < rigid[m].size(); ++i)
             (*modes)[m][i] = rigid[m][i];
@@ -116,7 +116,7 @@ namespace Structure
             else
               SolverGMRES<Vector_t>(control,
                                     SolverGMRES<Vector_t>::AdditionalData(100))
-                  .solve(model.matrix, x, model.rhs, amg);
+                .solve(model.matrix, x, model.rhs, amg);
             result.converged  = std::isfinite(x.l2_norm());
             result.iterations = control.last_step();
           }
@@ -128,7 +128,7 @@ namespace Structure
           return result;
       }
     result.method =
-        iterative ? result.method + " failed, MUMPS" : std::string("MUMPS");
+      iterative ? result.method + " failed, MUMPS" : std::string("MUMPS");
     result.converged = solve_direct(model.matrix, model.rhs, x);
     return result;
   }

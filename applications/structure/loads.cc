@@ -33,7 +33,7 @@ namespace Structure
         normal = cross_product_2d(corners[1] - corners[0]);
       else
         normal =
-            cross_product_3d(corners[1] - corners[0], corners[2] - corners[0]);
+          cross_product_3d(corners[1] - corners[0], corners[2] - corners[0]);
       return std::abs(normal * (p - corners[0])) < 1e-10;
     }
   } // namespace
@@ -41,8 +41,8 @@ namespace Structure
 
   template <int dim>
   NodeConditions<dim>::NodeConditions(
-      const std::vector<std::unique_ptr<Body<dim>>> &bodies,
-      const std::vector<BoundaryCondition>          &conditions)
+    const std::vector<std::unique_ptr<Body<dim>>> &bodies,
+    const std::vector<BoundaryCondition>          &conditions)
     : by_condition(conditions.size())
   {
     std::map<types::global_dof_index, unsigned int> node_of_dof;
@@ -50,7 +50,7 @@ namespace Structure
       {
         const BoundaryCondition &condition = conditions[c];
         const bool               symmetry =
-            condition.type == BoundaryCondition::Type::symmetry;
+          condition.type == BoundaryCondition::Type::symmetry;
         if (!symmetry &&
             condition.type != BoundaryCondition::Type::displacement)
           continue;
@@ -64,7 +64,7 @@ namespace Structure
                 formula_of[i] = formulas.size();
                 formulas.emplace_back(condition.values[i],
                                       "Boundary conditions/" + condition.name +
-                                          "/" + "xyz"[i]);
+                                        "/" + "xyz"[i]);
               }
 
         for (const auto &body : bodies)
@@ -80,7 +80,7 @@ namespace Structure
                 {
                   if (!cell->face(f)->at_boundary() ||
                       condition.boundaries.count(
-                          cell->face(f)->boundary_id()) == 0)
+                        cell->face(f)->boundary_id()) == 0)
                     continue;
                   cell->get_dof_indices(dofs);
 
@@ -108,18 +108,17 @@ namespace Structure
                       if (!is_on_face<dim>(cell, f, p))
                         continue;
                       const auto first = body->numbering(
-                          dofs[fe.component_to_system_index(0, k)]);
+                        dofs[fe.component_to_system_index(0, k)]);
                       const auto inserted =
-                          node_of_dof.try_emplace(first, nodes.size());
+                        node_of_dof.try_emplace(first, nodes.size());
                       if (inserted.second)
                         {
                           Node node;
                           for (unsigned int i = 0; i < dim; ++i)
                             node.dofs[i] = body->numbering(
-                                dofs[fe.component_to_system_index(i, k)]);
+                              dofs[fe.component_to_system_index(i, k)]);
                           node.x =
-                              body->mapping->transform_unit_to_real_cell(cell,
-                                                                         p);
+                            body->mapping->transform_unit_to_real_cell(cell, p);
                           nodes.push_back(node);
                         }
                       Node      &node = nodes[inserted.first->second];
@@ -157,9 +156,9 @@ namespace Structure
   template <int dim>
   void
   NodeConditions<dim>::add_line(
-      const Node                                    &node,
-      std::vector<std::pair<Tensor<1, dim>, double>> rows,
-      AffineConstraints<double>                     &constraints) const
+    const Node                                    &node,
+    std::vector<std::pair<Tensor<1, dim>, double>> rows,
+    AffineConstraints<double>                     &constraints) const
   {
     for (const auto dof : node.dofs)
       if (constraints.is_constrained(dof))

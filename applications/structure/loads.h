@@ -85,7 +85,7 @@ namespace Structure
     std::vector<Node>            nodes;
     std::vector<Expression<dim>> formulas;
     std::vector<std::vector<std::pair<types::global_dof_index, unsigned int>>>
-        by_condition;
+      by_condition;
 
     void
     add_line(const Node                                    &node,
@@ -107,8 +107,8 @@ namespace Structure
         for (const Row &row : node.rows)
           {
             double b = (row.formula < 0) ?
-                           0. :
-                           formulas[row.formula].value(node.x, time);
+                         0. :
+                         formulas[row.formula].value(node.x, time);
             for (unsigned int i = 0; i < dim; ++i)
               if (row.a[i] != 0.)
                 b -= row.a[i] * value(node.dofs[i]);

@@ -52,7 +52,7 @@ namespace Structure
         r.A      = fourth_order([&](auto i, auto J, auto k, auto L) {
           return lambda * delta(i, J) * delta(k, L) +
                  shear_modulus *
-                     (delta(i, k) * delta(J, L) + delta(i, L) * delta(J, k));
+                   (delta(i, k) * delta(J, L) + delta(i, L) * delta(J, k));
         });
         return r;
       }
@@ -229,11 +229,11 @@ namespace Structure
   MaterialParameters::declare(ParameterHandler &prm)
   {
     prm.declare_entry(
-        "Law",
-        "neo-Hookean",
-        Patterns::Selection(
-            "linear elastic|St Venant-Kirchhoff|neo-Hookean|Mooney-Rivlin"),
-        "Hyperelastic law; linear elastic means small strains.");
+      "Law",
+      "neo-Hookean",
+      Patterns::Selection(
+        "linear elastic|St Venant-Kirchhoff|neo-Hookean|Mooney-Rivlin"),
+      "Hyperelastic law; linear elastic means small strains.");
     prm.declare_entry("Young's modulus",
                       "0.0",
                       Patterns::Double(0.),
@@ -243,11 +243,11 @@ namespace Structure
                       Patterns::Double(-0.999, 0.499999),
                       "nu [-].");
     prm.declare_entry(
-        "C10",
-        "0.0",
-        Patterns::Double(0.),
-        "First constant of Mooney-Rivlin [pressure]; 0: E/(4 (1 + "
-        "nu)), neo-Hookean rubber.");
+      "C10",
+      "0.0",
+      Patterns::Double(0.),
+      "First constant of Mooney-Rivlin [pressure]; 0: E/(4 (1 + "
+      "nu)), neo-Hookean rubber.");
     prm.declare_entry("C01",
                       "0.0",
                       Patterns::Double(0.),
@@ -270,9 +270,8 @@ namespace Structure
     density        = prm.get_double("Density");
     AssertThrow(youngs_modulus > 0. || C10 > 0.,
                 ExcMessage("'Young's modulus' is 0" +
-                           std::string(law == "Mooney-Rivlin" ?
-                                           " and so is 'C10'" :
-                                           "") +
+                           std::string(
+                             law == "Mooney-Rivlin" ? " and so is 'C10'" : "") +
                            "; expected a positive pressure."));
     AssertThrow(law == "Mooney-Rivlin" || (C10 == 0. && C01 == 0.),
                 ExcMessage("'C10' or 'C01' is set but 'Law' is '" + law +
@@ -307,7 +306,7 @@ namespace Structure
     material->bulk_modulus  = 2. * mu * (1. + nu) / (3. * (1. - 2. * nu));
     material->density       = density;
     material->contact_modulus =
-        MortarContact::bulk_contact_modulus(2. * mu * (1. + nu), nu);
+      MortarContact::bulk_contact_modulus(2. * mu * (1. + nu), nu);
     return material;
   }
 

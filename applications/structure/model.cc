@@ -45,15 +45,15 @@ namespace Structure
     for (const auto &b : bodies)
       {
         counts.push_back(
-            Utilities::MPI::all_gather(communicator,
-                                       b->dof_handler.n_locally_owned_dofs()));
+          Utilities::MPI::all_gather(communicator,
+                                     b->dof_handler.n_locally_owned_dofs()));
         total_dofs += b->dof_handler.n_dofs();
       }
 
     owned.clear();
     owned.set_size(total_dofs);
     std::vector<std::vector<types::global_dof_index>> firsts(bodies.size()),
-        targets(bodies.size());
+      targets(bodies.size());
     std::vector<types::global_dof_index> next(bodies.size(), 0);
     types::global_dof_index              target = 0;
     for (unsigned int r = 0; r < n_ranks; ++r)
@@ -76,7 +76,7 @@ namespace Structure
     for (unsigned int b = 0; b < bodies.size(); ++b)
       {
         bodies[b]->numbering =
-            MortarContact::DoFNumbering(firsts[b], targets[b]);
+          MortarContact::DoFNumbering(firsts[b], targets[b]);
         dofs.resize(bodies[b]->fe->n_dofs_per_cell());
         for (const auto &cell : bodies[b]->dof_handler.active_cell_iterators())
           if (cell->is_locally_owned())
@@ -124,7 +124,7 @@ namespace Structure
         {
           Load                           load{nullptr, b.get(), {}, {}};
           const std::vector<std::string> components =
-              Utilities::split_string_list(b->body_force, ";");
+            Utilities::split_string_list(b->body_force, ";");
           AssertThrow(components.size() == dim,
                       ExcMessage("'Bodies/" + b->name + "/Body force' has " +
                                  std::to_string(components.size()) +
@@ -203,11 +203,11 @@ namespace Structure
   template <int dim>
   void
   Model<dim>::cell_values(
-      const Body<dim>                                      &body,
-      const typename DoFHandler<dim>::active_cell_iterator &cell,
-      const Vector_t                                       &ghosted,
-      Vector<double>                                       &values,
-      std::vector<types::global_dof_index>                 &dofs) const
+    const Body<dim>                                      &body,
+    const typename DoFHandler<dim>::active_cell_iterator &cell,
+    const Vector_t                                       &ghosted,
+    Vector<double>                                       &values,
+    std::vector<types::global_dof_index>                 &dofs) const
   {
     dofs.resize(body.fe->n_dofs_per_cell());
     values.reinit(dofs.size());
@@ -227,8 +227,8 @@ namespace Structure
     // Prescribed values need the present displacement of their nodes, which may
     // live on any rank: small, so all ranks get all of them.
     constraints =
-        MortarContact::Compat::make_constraints(owned,
-                                                complete_index_set(total_dofs));
+      MortarContact::Compat::make_constraints(owned,
+                                              complete_index_set(total_dofs));
     constraints.merge(hanging, AffineConstraints<double>::left_object_wins);
     std::vector<types::global_dof_index> prescribed;
     node_conditions->add_dofs(prescribed);
@@ -241,17 +241,17 @@ namespace Structure
         values[i] = u(prescribed[i]);
     Utilities::MPI::sum(values, communicator, values);
     node_conditions->add_lines(
-        [&](const types::global_dof_index dof) {
-          return values[std::lower_bound(
-                            prescribed.begin(), prescribed.end(), dof) -
-                        prescribed.begin()];
-        },
-        time,
-        constraints);
+      [&](const types::global_dof_index dof) {
+        return values[std::lower_bound(
+                        prescribed.begin(), prescribed.end(), dof) -
+                      prescribed.begin()];
+      },
+      time,
+      constraints);
     norms.to_prescribe = 0.;
     for (const auto &line : constraints.get_lines())
       norms.to_prescribe =
-          std::max(norms.to_prescribe, std::abs(line.inhomogeneity));
+        std::max(norms.to_prescribe, std::abs(line.inhomogeneity));
     constraints.close();
   }
 
@@ -291,12 +291,12 @@ namespace Structure
   template <int dim>
   void
   Model<dim>::add_loads(
-      const Body<dim>                                      &body,
-      const typename DoFHandler<dim>::active_cell_iterator &cell,
-      const Vector<double>                                 &u,
-      const double                                          time,
-      Vector<double>                                       &f,
-      FullMatrix<double>                                   &tangent)
+    const Body<dim>                                      &body,
+    const typename DoFHandler<dim>::active_cell_iterator &cell,
+    const Vector<double>                                 &u,
+    const double                                          time,
+    Vector<double>                                       &f,
+    FullMatrix<double>                                   &tangent)
   {
     const std::vector<unsigned int> component = components_of<dim>(*body.fe);
     for (Load &load : loads)
@@ -309,31 +309,31 @@ namespace Structure
                                     *body.fe,
                                     *body.quadrature,
                                     update_values | update_JxW_values |
-                                        update_quadrature_points);
+                                      update_quadrature_points);
             fe_values.reinit(cell);
             for (const unsigned int q : fe_values.quadrature_point_indices())
               for (unsigned int a = 0; a < component.size(); ++a)
                 f(a) += load.formulas[component[a]].value(
-                            fe_values.quadrature_point(q), time) *
+                          fe_values.quadrature_point(q), time) *
                         fe_values.shape_value(a, q) * fe_values.JxW(q);
             continue;
           }
 
         const bool is_pressure =
-            load.condition->type == BoundaryCondition::Type::pressure;
+          load.condition->type == BoundaryCondition::Type::pressure;
         for (const unsigned int face : cell->face_indices())
           {
             if (!cell->face(face)->at_boundary() ||
                 load.condition->boundaries.count(
-                    cell->face(face)->boundary_id()) == 0)
+                  cell->face(face)->boundary_id()) == 0)
               continue;
             FEFaceValues<dim> fe_values(*body.mapping,
                                         *body.fe,
                                         *body.face_quadrature,
                                         update_values | update_gradients |
-                                            update_JxW_values |
-                                            update_normal_vectors |
-                                            update_quadrature_points);
+                                          update_JxW_values |
+                                          update_normal_vectors |
+                                          update_quadrature_points);
             fe_values.reinit(cell, face);
             for (const unsigned int q : fe_values.quadrature_point_indices())
               {
@@ -343,9 +343,10 @@ namespace Structure
                   {
                     for (unsigned int a = 0; a < component.size(); ++a)
                       if (load.of_component[component[a]] >= 0)
-                        f(a) += load.formulas[load.of_component[component[a]]]
-                                    .value(x, time) *
-                                fe_values.shape_value(a, q) * w;
+                        f(a) +=
+                          load.formulas[load.of_component[component[a]]].value(
+                            x, time) *
+                          fe_values.shape_value(a, q) * w;
                     continue;
                   }
                 // Nanson: n da = J F^-T N dA; dead on small strains
@@ -354,12 +355,12 @@ namespace Structure
                 for (unsigned int i = 0; i < dim; ++i)
                   N[i] = fe_values.normal_vector(q)[i];
                 Tensor<2, 3> F =
-                    deformation_gradient<dim>(fe_values,
-                                              component,
-                                              body.material->is_linear ?
-                                                  Vector<double>(u.size()) :
-                                                  u,
-                                              q);
+                  deformation_gradient<dim>(fe_values,
+                                            component,
+                                            body.material->is_linear ?
+                                              Vector<double>(u.size()) :
+                                              u,
+                                            q);
                 const double       J = determinant(F);
                 const Tensor<2, 3> H = transpose(invert(F));
                 const Tensor<1, 3> n = J * (H * N);
@@ -404,7 +405,7 @@ namespace Structure
         {
           interface->update(u, time, with_tangent);
           couplings_changed =
-              couplings_changed || interface->report().couplings_changed;
+            couplings_changed || interface->report().couplings_changed;
         }
     }
     if (with_tangent)
@@ -430,9 +431,9 @@ namespace Structure
           Element<dim>       element(*b);
           const unsigned int n = b->fe->n_dofs_per_cell();
           const bool         is_loaded =
-              std::any_of(loads.begin(), loads.end(), [&](const Load &load) {
-                return load.body == b.get();
-              });
+            std::any_of(loads.begin(), loads.end(), [&](const Load &load) {
+              return load.body == b.get();
+            });
           forces.reinit(n);
           loaded.reinit(n);
           if (with_tangent)
@@ -442,7 +443,7 @@ namespace Structure
               {
                 cell_values(*b, cell, u_ghosted, values, dofs);
                 if (!element.evaluate(
-                        cell, values, with_tangent, forces, tangent))
+                      cell, values, with_tangent, forces, tangent))
                   {
                     std::ostringstream text;
                     text.precision(4);
@@ -463,7 +464,7 @@ namespace Structure
                 forces *= -1.;
                 if (with_tangent)
                   constraints.distribute_local_to_global(
-                      tangent, forces, dofs, matrix, rhs);
+                    tangent, forces, dofs, matrix, rhs);
                 else
                   constraints.distribute_local_to_global(forces, dofs, rhs);
               }
@@ -517,7 +518,7 @@ namespace Structure
   {
     constexpr unsigned int           n_modes = (dim == 2) ? 3 : 6;
     std::vector<std::vector<double>> modes(
-        n_modes, std::vector<double>(owned.n_elements(), 0.));
+      n_modes, std::vector<double>(owned.n_elements(), 0.));
     std::vector<types::global_dof_index> dofs;
     for (const auto &b : bodies)
       {
@@ -536,7 +537,7 @@ namespace Structure
                   const auto         node = b->fe->system_to_component_index(a);
                   const unsigned int c    = node.first;
                   const Point<dim> x = b->mapping->transform_unit_to_real_cell(
-                      cell, scalar.unit_support_point(node.second));
+                    cell, scalar.unit_support_point(node.second));
                   modes[c][i] = 1.;
                   if constexpr (dim == 2)
                     modes[2][i] = (c == 0) ? -x[1] : x[0];

@@ -44,7 +44,7 @@ namespace Structure
     std::vector<std::unique_ptr<Body<dim>>> bodies;
     std::vector<BoundaryCondition>          conditions;
     std::vector<std::unique_ptr<MortarContact::ContactInterface<dim>>>
-        interfaces;
+      interfaces;
 
     /// Number the dofs; after the bodies are there, before the interfaces.
     void

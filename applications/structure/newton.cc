@@ -100,7 +100,7 @@ namespace Structure
         // Step 1: converged?
         const ForceNorms &n = model.norms;
         const double      scale =
-            std::max({n.internal, n.external, n.contact, floor});
+          std::max({n.internal, n.external, n.contact, floor});
         iterate.residual     = n.residual / scale;
         const bool at_target = n.to_prescribe <= motion_floor * model.size;
         watch(iterate);
@@ -114,7 +114,7 @@ namespace Structure
             ((iterate.residual <= parameters.force_tolerance &&
               iterate.update <= parameters.displacement_tolerance) ||
              iterate.residual <=
-                 surely_converged * parameters.force_tolerance ||
+               surely_converged * parameters.force_tolerance ||
              (iterate.residual <= residual_round_off &&
               iterate.update <= update_round_off)))
           {
@@ -146,7 +146,7 @@ namespace Structure
         iterate.step = 1.;
         for (const auto &interface : model.interfaces)
           iterate.step =
-              std::min(iterate.step, interface->largest_safe_step(u, du));
+            std::min(iterate.step, interface->largest_safe_step(u, du));
 
         // Step 3: go there; shorten while it does not help.
         const double   work_before     = du * model.rhs;
@@ -160,10 +160,10 @@ namespace Structure
             result.failure    = model.assemble(u, time, true);
             const bool better = model.norms.residual < residual_before;
             const bool less_work =
-                std::abs(du * model.rhs) <= enough * std::abs(work_before);
+              std::abs(du * model.rhs) <= enough * std::abs(work_before);
             const bool good = parameters.line_search == "energy" ?
-                                  (better || less_work) :
-                                  better;
+                                (better || less_work) :
+                                better;
             if (result.failure.empty() && (!search || good))
               break;
             if (trial == max_trials)

@@ -63,11 +63,11 @@ namespace Structure
               {
                 const std::string name = entry.path().filename();
                 const bool        ours =
-                    name == "history.csv" || name == "summary.json" ||
-                    name == "solution.pvd" || name == "contact.pvd" ||
-                    ((name.rfind("solution-", 0) == 0 ||
-                      name.rfind("contact-", 0) == 0) &&
-                     entry.path().extension() == ".vtu");
+                  name == "history.csv" || name == "summary.json" ||
+                  name == "solution.pvd" || name == "contact.pvd" ||
+                  ((name.rfind("solution-", 0) == 0 ||
+                    name.rfind("contact-", 0) == 0) &&
+                   entry.path().extension() == ".vtu");
                 if (ours)
                   fs::remove(entry.path());
               }
@@ -101,7 +101,7 @@ namespace Structure
         if (comma == std::string::npos)
           continue;
         const std::string second =
-            row.substr(comma + 1, row.find(',', comma + 1));
+          row.substr(comma + 1, row.find(',', comma + 1));
         if (kept.empty() || std::atof(second.c_str()) <= last)
           kept += row + "\n";
       }
@@ -214,7 +214,7 @@ namespace Structure
 
     Element<dim>                         element(body);
     std::vector<types::global_dof_index> dofs,
-        local(body.fe->n_dofs_per_cell());
+      local(body.fe->n_dofs_per_cell());
     Vector<double>     values, forces(local.size());
     FullMatrix<double> none;
     for (const auto &cell : body.dof_handler.active_cell_iterators())
@@ -231,7 +231,7 @@ namespace Structure
           mises(c)                       = std::sqrt(1.5) * deviator(s).norm();
           volume_ratio(c)                = element.state().volume_ratio;
           const unsigned int components[6][2] = {
-              {0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}};
+            {0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}};
           for (unsigned int i = 0; i < stress.size(); ++i)
             stress[i](c) = s[components[i][0]][components[i][1]];
         }
@@ -239,11 +239,11 @@ namespace Structure
     DataOut<dim> data_out;
     data_out.attach_dof_handler(body.dof_handler);
     data_out.add_data_vector(
-        displacement,
-        std::vector<std::string>(dim, "displacement"),
-        DataOut<dim>::type_dof_data,
-        std::vector<DataComponentInterpretation::DataComponentInterpretation>(
-            dim, DataComponentInterpretation::component_is_part_of_vector));
+      displacement,
+      std::vector<std::string>(dim, "displacement"),
+      DataOut<dim>::type_dof_data,
+      std::vector<DataComponentInterpretation::DataComponentInterpretation>(
+        dim, DataComponentInterpretation::component_is_part_of_vector));
     data_out.add_data_vector(pressure,
                              "pressure",
                              DataOut<dim>::type_cell_data);

@@ -63,7 +63,7 @@ namespace Structure
     names_of(ParameterHandler &prm, const std::string &entry)
     {
       std::vector<std::string> names =
-          Utilities::split_string_list(prm.get(entry));
+        Utilities::split_string_list(prm.get(entry));
       for (std::size_t i = 0; i < names.size(); ++i)
         AssertThrow(std::count(names.begin(), names.end(), names[i]) == 1,
                     ExcMessage("'" + entry + "' has '" + names[i] +
@@ -89,11 +89,11 @@ namespace Structure
                         Patterns::Integer(2, 3),
                         "2: plane strain; 3.");
       const auto list =
-          [&](const char *section, const char *entry, const char *help) {
-            prm.enter_subsection(section);
-            prm.declare_entry(entry, "", Patterns::Anything(), help);
-            prm.leave_subsection();
-          };
+        [&](const char *section, const char *entry, const char *help) {
+          prm.enter_subsection(section);
+          prm.declare_entry(entry, "", Patterns::Anything(), help);
+          prm.leave_subsection();
+        };
       list("Bodies",
            "Names",
            "Names of the bodies, separated by commas; one subsection each.");
@@ -142,12 +142,12 @@ namespace Structure
                         Patterns::Integer(1, 2),
                         "Of the displacements [-].");
       prm.declare_entry(
-          "Mean dilatation",
-          "automatic",
-          Patterns::Selection("automatic|yes|no"),
-          "One pressure per cell (Q1P0): no locking of nearly "
-          "incompressible solids. automatic: for Mooney-Rivlin on "
-          "hexahedra (quadrilaterals) of degree 1.");
+        "Mean dilatation",
+        "automatic",
+        Patterns::Selection("automatic|yes|no"),
+        "One pressure per cell (Q1P0): no locking of nearly "
+        "incompressible solids. automatic: for Mooney-Rivlin on "
+        "hexahedra (quadrilaterals) of degree 1.");
       prm.declare_entry("Body force",
                         "",
                         Patterns::Anything(),
@@ -164,7 +164,7 @@ namespace Structure
       body.mean_dilatation = prm.get("Mean dilatation");
       body.body_force      = prm.get("Body force");
       AssertThrow(body.mean_dilatation != "yes" ||
-                      body.material.law == "Mooney-Rivlin",
+                    body.material.law == "Mooney-Rivlin",
                   ExcMessage("'Mean dilatation' is 'yes' but 'Material/Law' is "
                              "'" +
                              body.material.law +
@@ -181,19 +181,19 @@ namespace Structure
                         Patterns::List(Patterns::Integer(0), 1),
                         "Ids of the faces [-].");
       prm.declare_entry(
-          "Type",
-          "displacement",
-          Patterns::Selection("displacement|symmetry|traction|pressure"),
-          "displacement: x, y, z as formulas or free. symmetry: none along the "
-          "normal. traction: force per undeformed area. pressure: pushes along "
-          "the deformed normal.");
+        "Type",
+        "displacement",
+        Patterns::Selection("displacement|symmetry|traction|pressure"),
+        "displacement: x, y, z as formulas or free. symmetry: none along the "
+        "normal. traction: force per undeformed area. pressure: pushes along "
+        "the deformed normal.");
       for (const char *component : {"x", "y", "z"})
         prm.declare_entry(
-            component,
-            "free",
-            Patterns::Anything(),
-            "Component as a formula in x, y, z, t and pi, or free "
-            "[length or pressure].");
+          component,
+          "free",
+          Patterns::Anything(),
+          "Component as a formula in x, y, z, t and pi, or free "
+          "[length or pressure].");
       prm.declare_entry("Pressure",
                         "free",
                         Patterns::Anything(),
@@ -213,8 +213,8 @@ namespace Structure
                                (type == "traction")     ? Type::traction :
                                                           Type::pressure;
       c.values               = {{prm.get("x"), prm.get("y"), prm.get("z")}};
-      const bool any         = c.values[0] != "free" || c.values[1] != "free" ||
-                       c.values[2] != "free";
+      const bool any =
+        c.values[0] != "free" || c.values[1] != "free" || c.values[2] != "free";
       const std::string pressure = prm.get("Pressure");
       if (c.type == Type::pressure)
         {
@@ -239,15 +239,14 @@ namespace Structure
     declare_interface(ParameterHandler &prm)
     {
       for (const char *side : {"Secondary", "Primary"})
-        prm.declare_entry(
-            side,
-            "",
-            Patterns::Anything(),
-            std::string(side) +
-                " surface: body, 'body: boundary 1, 2' or 'body: "
-                "material 3'; several separated by semicolons. The "
-                "secondary (SURFA, slave) carries the integration "
-                "points.");
+        prm.declare_entry(side,
+                          "",
+                          Patterns::Anything(),
+                          std::string(side) +
+                            " surface: body, 'body: boundary 1, 2' or 'body: "
+                            "material 3'; several separated by semicolons. The "
+                            "secondary (SURFA, slave) carries the integration "
+                            "points.");
       MortarContact::ContactParameters::declare(prm);
     }
 
@@ -318,10 +317,10 @@ namespace Structure
                 }
             AssertThrow(ok,
                         ExcMessage(
-                            "'" + entry + "' is '" + text +
-                            "'; expected 'body', 'body: boundary 1, 2' "
-                            "or 'body: material 3', several separated by "
-                            "semicolons."));
+                          "'" + entry + "' is '" + text +
+                          "'; expected 'body', 'body: boundary 1, 2' "
+                          "or 'body: material 3', several separated by "
+                          "semicolons."));
           }
         parts.push_back(selection);
       }
@@ -442,7 +441,7 @@ namespace Structure
                     ExcMessage("--set '" + setting +
                                "': expected \"Section/Entry=value\"."));
         std::vector<std::string> path =
-            Utilities::split_string_list(setting.substr(0, equals), '/');
+          Utilities::split_string_list(setting.substr(0, equals), '/');
         std::string text, ends;
         for (std::size_t i = 0; i + 1 < path.size(); ++i)
           {
@@ -450,7 +449,7 @@ namespace Structure
             ends += "end\n";
           }
         text +=
-            "set " + path.back() + " = " + setting.substr(equals + 1) + "\n";
+          "set " + path.back() + " = " + setting.substr(equals + 1) + "\n";
         std::istringstream line(text + ends);
         prm.parse_input(line, "--set \"" + setting + "\"", "", skip_undefined);
       }
@@ -506,7 +505,7 @@ namespace Structure
     for (const auto &name : names.probes)
       in_section(prm, {"Probes", name}, [&]() {
         scene.output.probes.push_back(
-            {name, prm.get("Body"), numbers_of(prm.get("Point"))});
+          {name, prm.get("Body"), numbers_of(prm.get("Point"))});
       });
     read_run(prm, scene);
 
@@ -571,7 +570,7 @@ namespace Structure
           for (const auto id : a.boundaries)
             for (unsigned int k = 0; k < 3; ++k)
               AssertThrow(b.boundaries.count(id) == 0 ||
-                              a.values[k] == "free" || b.values[k] == "free",
+                            a.values[k] == "free" || b.values[k] == "free",
                           ExcMessage("'Boundary conditions/" + a.name +
                                      "' and '" + b.name + "' both prescribe '" +
                                      std::string(1, "xyz"[k]) +

@@ -92,16 +92,16 @@ namespace Structure
             make_mesh<dim>(b.mesh, mesh);
             std::unique_ptr<Material> material = b.material.make();
             const bool                mean_dilatation =
-                b.mean_dilatation == "yes" ||
-                (b.mean_dilatation == "automatic" && material->is_split() &&
-                 b.degree == 1 && mesh.all_reference_cells_are_hyper_cube());
+              b.mean_dilatation == "yes" ||
+              (b.mean_dilatation == "automatic" && material->is_split() &&
+               b.degree == 1 && mesh.all_reference_cells_are_hyper_cube());
             model.bodies.push_back(
-                std::make_unique<Body<dim>>(b.name,
-                                            mesh,
-                                            std::move(material),
-                                            b.degree,
-                                            mean_dilatation,
-                                            communicator));
+              std::make_unique<Body<dim>>(b.name,
+                                          mesh,
+                                          std::move(material),
+                                          b.degree,
+                                          mean_dilatation,
+                                          communicator));
           }
         catch (const ExcMessage &e)
           {
@@ -133,8 +133,10 @@ namespace Structure
 
     for (const InterfaceParameters &i : scene.interfaces)
       {
-        auto interface = std::make_unique<MortarContact::ContactInterface<dim>>(
-            i.name, i.contact, communicator);
+        auto interface =
+          std::make_unique<MortarContact::ContactInterface<dim>>(i.name,
+                                                                 i.contact,
+                                                                 communicator);
         for (const bool secondary : {true, false})
           for (const PartSelection &part : secondary ? i.secondary : i.primary)
             {
@@ -177,15 +179,15 @@ namespace Structure
           for (unsigned int k = 0; k < scalar.n_dofs_per_cell(); ++k)
             {
               const double d =
-                  x.distance(b.mapping->transform_unit_to_real_cell(
-                      cell, scalar.unit_support_point(k)));
+                x.distance(b.mapping->transform_unit_to_real_cell(
+                  cell, scalar.unit_support_point(k)));
               if (d < best)
                 {
                   best = d;
                   cell->get_dof_indices(of_cell);
                   for (unsigned int i = 0; i < dim; ++i)
                     dofs[i] = b.numbering(
-                        of_cell[b.fe->component_to_system_index(i, k)]);
+                      of_cell[b.fe->component_to_system_index(i, k)]);
                 }
             }
         probe_dofs.push_back(dofs);
@@ -208,7 +210,7 @@ namespace Structure
              // 81 (27 x 3) entries per row in 3d, 18 (9 x 2) in 2d; a direct
              // factor holds some twenty times as many
              number(model.n_dofs() *
-                        (dim == 3 ? 81. * 12. * 20. : 18. * 12. * 10.) / 1e9,
+                      (dim == 3 ? 81. * 12. * 20. : 18. * 12. * 10.) / 1e9,
                     2) +
              " GB with the direct solver");
     for (const auto &interface : model.interfaces)
@@ -324,9 +326,9 @@ namespace Structure
             if (next_step < s.smallest)
               {
                 log.line(
-                    "No convergence: the step fell below 'Smallest step', " +
-                    number(s.smallest) + ". Last good state: time " +
-                    number(time) + ".");
+                  "No convergence: the step fell below 'Smallest step', " +
+                  number(s.smallest) + ". Last good state: time " +
+                  number(time) + ".");
                 // contact shows the last good state again
                 (void)model.assemble(u, time, false);
                 write_checkpoint();
@@ -343,13 +345,13 @@ namespace Structure
           interface->commit(time);
         if (last_newton.iterations <= s.target_iterations)
           next_step =
-              std::min(s.largest, std::max(next_step, step_size) * s.growth);
+            std::min(s.largest, std::max(next_step, step_size) * s.growth);
 
         const double done = (time - first_time) / (s.end_time - first_time);
         std::string  text =
-            "Step " + std::to_string(step) + "  time " + number(time) + "  " +
-            std::to_string(last_newton.iterations) + " iterations  residual " +
-            number(last_newton.residual, 2);
+          "Step " + std::to_string(step) + "  time " + number(time) + "  " +
+          std::to_string(last_newton.iterations) + " iterations  residual " +
+          number(last_newton.residual, 2);
         if (cut_backs_of_step > 0)
           text += "  " + std::to_string(cut_backs_of_step) + " cut-backs";
         text += "  remaining about " +
@@ -393,13 +395,13 @@ namespace Structure
   {
     TimerOutput::Scope                          scope(timer, "output");
     std::vector<std::pair<std::string, double>> row = {
-        {"step", step},
-        {"time", time},
-        {"step_size", step_size},
-        {"iterations", last_newton.iterations},
-        {"linear_iterations", last_newton.linear_iterations},
-        {"cut_backs", cut_backs_of_step},
-        {"residual_relative", last_newton.residual}};
+      {"step", step},
+      {"time", time},
+      {"step_size", step_size},
+      {"iterations", last_newton.iterations},
+      {"linear_iterations", last_newton.linear_iterations},
+      {"cut_backs", cut_backs_of_step},
+      {"residual_relative", last_newton.residual}};
     for (const auto &interface : model.interfaces)
       {
         const auto       &r = interface->report();
@@ -417,9 +419,9 @@ namespace Structure
         row.emplace_back(n + "released_facets", r.n_released);
         row.emplace_back(n + "remaining_overlap_share",
                          MortarContact::removal_share(
-                             interface->parameters.initial_penetration,
-                             time,
-                             interface->parameters.removal_time));
+                           interface->parameters.initial_penetration,
+                           time,
+                           interface->parameters.removal_time));
       }
     for (unsigned int c = 0; c < model.conditions.size(); ++c)
       if (model.conditions[c].type == BoundaryCondition::Type::displacement ||
@@ -428,7 +430,7 @@ namespace Structure
           const Tensor<1, 3> f = model.reaction(c);
           for (unsigned int i = 0; i < dim; ++i)
             row.emplace_back("reaction:" + model.conditions[c].name + "_" +
-                                 "xyz"[i],
+                               "xyz"[i],
                              f[i]);
         }
     for (unsigned int p = 0; p < scene.output.probes.size(); ++p)
@@ -436,7 +438,7 @@ namespace Structure
         const Tensor<1, dim> v = probe(p);
         for (unsigned int i = 0; i < dim; ++i)
           row.emplace_back("probe:" + scene.output.probes[p].name + "_" +
-                               "xyz"[i],
+                             "xyz"[i],
                            v[i]);
       }
     output.history(row);
@@ -481,7 +483,7 @@ namespace Structure
       {
         boost::archive::binary_oarchive archive(out);
         archive &head &time &step &next_step &cut_backs &newton_iterations
-            &linear_iterations &values;
+          &linear_iterations &values;
       }
       for (const auto &interface : model.interfaces)
         interface->save(out);
@@ -507,7 +509,7 @@ namespace Structure
   {
     const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
     const std::string  file =
-        directory + "/checkpoint/rank-" + std::to_string(rank);
+      directory + "/checkpoint/rank-" + std::to_string(rank);
     std::string failure;
     {
       std::ifstream        in(file, std::ios::binary);
@@ -522,7 +524,7 @@ namespace Structure
             boost::archive::binary_iarchive archive(in);
             archive                        &head;
             const unsigned int              n_ranks =
-                Utilities::MPI::n_mpi_processes(communicator);
+              Utilities::MPI::n_mpi_processes(communicator);
             if (head.magic != expected.magic)
               failure = "it was written by another version";
             else if (head.n_ranks != n_ranks)
@@ -535,7 +537,7 @@ namespace Structure
             else
               {
                 archive &time &step &next_step &cut_backs &newton_iterations
-                    &linear_iterations &values;
+                  &linear_iterations &values;
                 if (values.size() != model.owned_dofs().n_elements())
                   failure = "it is damaged";
               }
@@ -580,7 +582,7 @@ namespace Structure
     Utilities::System::MemoryStats memory;
     Utilities::System::get_memory_stats(memory);
     const double peak =
-        Utilities::MPI::sum(static_cast<double>(memory.VmHWM), communicator);
+      Utilities::MPI::sum(static_cast<double>(memory.VmHWM), communicator);
 
     nlohmann::json json;
     json["status"]            = status;

@@ -60,7 +60,7 @@ namespace MortarContact
         {
           const OverlapVertex<3> &from = polygon.vertices[k];
           const OverlapVertex<3> &to =
-              polygon.vertices[(k + 1) % polygon.n_vertices];
+            polygon.vertices[(k + 1) % polygon.n_vertices];
           const double d_from = distance(from);
           const double d_to   = distance(to);
           const bool   in     = d_from >= -tolerance;
@@ -100,8 +100,8 @@ namespace MortarContact
   area<2>(const Overlap<2> &overlap)
   {
     return (overlap.n_vertices == 0) ?
-               0. :
-               overlap.vertices[1].y[0] - overlap.vertices[0].y[0];
+             0. :
+             overlap.vertices[1].y[0] - overlap.vertices[0].y[0];
   }
 
 
@@ -140,9 +140,9 @@ namespace MortarContact
   convex_pieces<3>(const unsigned int n, const PlaneFacet<3> &y)
   {
     ConvexPieces<3> result;
-    const double    twice_area =
-        (n == 3) ? turn(y[0], y[1], y[2]) :
-                      turn(y[0], y[1], y[2]) + turn(y[0], y[2], y[3]);
+    const double    twice_area = (n == 3) ?
+                                   turn(y[0], y[1], y[2]) :
+                                   turn(y[0], y[1], y[2]) + turn(y[0], y[2], y[3]);
     // written so that NaN has no area
     if (!(std::abs(twice_area) > 0.))
       return result;
@@ -225,7 +225,7 @@ namespace MortarContact
       {
         const unsigned int from = primary_piece.vertices[k];
         const unsigned int to =
-            primary_piece.vertices[(k + 1) % primary_piece.n_vertices];
+          primary_piece.vertices[(k + 1) % primary_piece.n_vertices];
         OverlapVertex<3> vertex;
         vertex.y      = primary[from];
         vertex.origin = {Side::primary, from};
@@ -237,9 +237,9 @@ namespace MortarContact
          ++k)
       {
         const FacetLine line = {
-            Side::secondary,
-            secondary_piece.vertices[k],
-            secondary_piece.vertices[(k + 1) % secondary_piece.n_vertices]};
+          Side::secondary,
+          secondary_piece.vertices[k],
+          secondary_piece.vertices[(k + 1) % secondary_piece.n_vertices]};
         polygon = clip_by_line(polygon, secondary, line, tolerance);
       }
     if (polygon.n_vertices < 3)

@@ -39,7 +39,7 @@ namespace MortarContact
           residual -= N[a] * vertices[a];
 
         const Tensor<2, dim - 1> J =
-            plane_jacobian<dim>(n_vertices, vertices, xi);
+          plane_jacobian<dim>(n_vertices, vertices, xi);
         const double det   = determinant(J);
         const double scale = (dim == 2) ? std::abs(J[0][0]) : J.norm_square();
         // written so that NaN is degenerate

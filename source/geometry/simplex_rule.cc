@@ -41,7 +41,7 @@ namespace MortarContact
     std::vector<SimplexPoint<2>> points;
     for (unsigned int q = 0; q < gauss.size(); ++q)
       points.push_back(
-          {{{1. - gauss.point(q)[0], gauss.point(q)[0]}}, gauss.weight(q)});
+        {{{1. - gauss.point(q)[0], gauss.point(q)[0]}}, gauss.weight(q)});
     return points;
   }
 
@@ -65,7 +65,7 @@ namespace MortarContact
             const double a = (8. - std::sqrt(10.) + r) / 18.;
             const double b = (8. - std::sqrt(10.) - r) / 18.;
             const double s =
-                std::sqrt(213125. - 53320. * std::sqrt(10.)) / 3720.;
+              std::sqrt(213125. - 53320. * std::sqrt(10.)) / 3720.;
             add_orbit(points, a, a, 620. / 3720. + s);
             add_orbit(points, b, b, 620. / 3720. - s);
             break;

@@ -41,16 +41,16 @@ namespace MortarContact
     {
       for (unsigned int side = 0; side < 2; ++side)
         {
-          const Facet<dim> &facet =
-              (side == 0) ? secondary.facets[pair.secondary].current :
-                            primary.facets[pair.primary].current;
+          const Facet<dim> &facet = (side == 0) ?
+                                      secondary.facets[pair.secondary].current :
+                                      primary.facets[pair.primary].current;
           for (unsigned int a = 0; a < facet.n_vertices; ++a)
             {
               Tensor<1, dim> force;
               for (unsigned int i = 0; i < dim; ++i)
                 force[i] =
-                    -pair.block.residual[side * max_facet_components<dim> +
-                                         a * dim + i];
+                  -pair.block
+                     .residual[side * max_facet_components<dim> + a * dim + i];
               function(side, in_space(facet.x[a]), in_space(force));
             }
         }
@@ -68,11 +68,11 @@ namespace MortarContact
   {
     parameters.check();
     last_report.name = name;
-    law              = make_pressure_law(parameters.law,
-                            parameters.stiffness_scale *
-                                parameters.penalty_factor,
-                            parameters.progressive_stiffening,
-                            parameters.largest_share());
+    law =
+      make_pressure_law(parameters.law,
+                        parameters.stiffness_scale * parameters.penalty_factor,
+                        parameters.progressive_stiffening,
+                        parameters.largest_share());
   }
 
 
@@ -88,14 +88,14 @@ namespace MortarContact
                              const unsigned int        first_component)
   {
     const std::vector<SurfaceFacet<dim>> facets =
-        extract_surface<dim>(dof_handler,
-                             mapping,
-                             selection,
-                             modulus_of_cell,
-                             part,
-                             numbering,
-                             first_component,
-                             communicator);
+      extract_surface<dim>(dof_handler,
+                           mapping,
+                           selection,
+                           modulus_of_cell,
+                           part,
+                           numbering,
+                           first_component,
+                           communicator);
     AssertThrow(Utilities::MPI::sum(facets.size(), communicator) > 0,
                 ExcMessage("Interface '" + name + "': the " + side_names[side] +
                            " surface of '" + part +
@@ -108,13 +108,13 @@ namespace MortarContact
   template <int dim>
   void
   ContactInterface<dim>::add_secondary(
-      const DoFHandler<dim>    &dof_handler,
-      const Mapping<dim>       &mapping,
-      const FaceSelection      &selection,
-      const ModulusOfCell<dim> &modulus_of_cell,
-      const std::string        &part,
-      const DoFNumbering       &numbering,
-      const unsigned int        first_component)
+    const DoFHandler<dim>    &dof_handler,
+    const Mapping<dim>       &mapping,
+    const FaceSelection      &selection,
+    const ModulusOfCell<dim> &modulus_of_cell,
+    const std::string        &part,
+    const DoFNumbering       &numbering,
+    const unsigned int        first_component)
   {
     add(0,
         dof_handler,
@@ -160,9 +160,9 @@ namespace MortarContact
     stiffness.modulus = parameters.modulus;
     stiffness.length  = parameters.explicit_length();
     stiffness.use_shortest_edge =
-        parameters.characteristic_length == "shortest edge";
+      parameters.characteristic_length == "shortest edge";
     stiffness.offset =
-        (side == 0) ? parameters.secondary_offset : parameters.primary_offset;
+      (side == 0) ? parameters.secondary_offset : parameters.primary_offset;
     surfaces[side].build(std::move(extracted[side]), stiffness, communicator);
     extracted[side].clear();
 
@@ -195,17 +195,14 @@ namespace MortarContact
     options.stiffness_side = parameters.side();
     options.symmetrise     = parameters.symmetric_tangent;
     const unsigned int n_sweeps =
-        (parameters.kind ==
-         ContactParameters::Kind::automatic_surface_to_surface) ?
-            2 :
-            1;
+      (parameters.kind ==
+       ContactParameters::Kind::automatic_surface_to_surface) ?
+        2 :
+        1;
     sweeps.clear();
     for (unsigned int i = 0; i < n_sweeps; ++i)
-      sweeps.push_back(std::make_unique<ContactSweep<dim>>(surfaces[i].skin,
-                                                           surfaces[1 - i].skin,
-                                                           *law,
-                                                           options,
-                                                           1. / n_sweeps));
+      sweeps.push_back(std::make_unique<ContactSweep<dim>>(
+        surfaces[i].skin, surfaces[1 - i].skin, *law, options, 1. / n_sweeps));
     detect_initial_penetrations();
     evaluate(0., false);
   }
@@ -220,7 +217,7 @@ namespace MortarContact
     treatment.deepest            = parameters.deepest_penetration;
     treatment.remaining_pressure = parameters.initial_pressure;
     treatment.store =
-        parameters.initial_penetration != InitialPenetration::stress;
+      parameters.initial_penetration != InitialPenetration::stress;
 
     InitialReport &initial = last_report.initial;
     initial.treatment      = parameters.initial_penetration;
@@ -232,23 +229,23 @@ namespace MortarContact
         const auto                &labels = surfaces[i].labels;
         initial.n_facets += Utilities::MPI::sum(found.n_facets, communicator);
         initial.n_undetected +=
-            Utilities::MPI::sum(found.n_too_deep, communicator);
+          Utilities::MPI::sum(found.n_too_deep, communicator);
         if (found.n_facets > 0)
           deepest.push_back(
-              {found.depth,
-               found.depth / (treatment.largest_share *
-                              surfaces[i].cell_length[found.facet]),
-               labels[found.facet],
-               {},
-               in_space(found.position)});
+            {found.depth,
+             found.depth /
+               (treatment.largest_share * surfaces[i].cell_length[found.facet]),
+             labels[found.facet],
+             {},
+             in_space(found.position)});
         if (found.n_too_deep > 0)
           undetected.push_back(
-              {found.too_deep,
-               found.too_deep / (treatment.largest_share *
-                                 surfaces[i].cell_length[found.too_deep_facet]),
-               labels[found.too_deep_facet],
-               {},
-               in_space(found.too_deep_position)});
+            {found.too_deep,
+             found.too_deep / (treatment.largest_share *
+                               surfaces[i].cell_length[found.too_deep_facet]),
+             labels[found.too_deep_facet],
+             {},
+             in_space(found.too_deep_position)});
       }
     const auto deepest_of_all = [&](const std::vector<DeepPenetration> &local) {
       DeepPenetration result;
@@ -282,7 +279,7 @@ namespace MortarContact
   template <int dim>
   IndexSet
   ContactInterface<dim>::relevant_dofs(
-      const types::global_dof_index n_dofs) const
+    const types::global_dof_index n_dofs) const
   {
     IndexSet result(n_dofs);
     result.add_indices(dofs.begin(), dofs.end());
@@ -310,12 +307,12 @@ namespace MortarContact
       {
         fetched_owned = owned;
         partitioner =
-            std::make_unique<Utilities::MPI::NoncontiguousPartitioner>(
-                owned, relevant_dofs(owned.size()), communicator);
+          std::make_unique<Utilities::MPI::NoncontiguousPartitioner>(
+            owned, relevant_dofs(owned.size()), communicator);
       }
     partitioner->template export_to_ghosted_array<double>(
-        ArrayView<const double>(owned_values.data(), owned_values.size()),
-        ArrayView<double>(values.data(), values.size()));
+      ArrayView<const double>(owned_values.data(), owned_values.size()),
+      ArrayView<double>(values.data(), values.size()));
   }
 
 
@@ -346,7 +343,7 @@ namespace MortarContact
           }
       }
     last_report.search_seconds +=
-        Utilities::MPI::max(timer.wall_time(), communicator);
+      Utilities::MPI::max(timer.wall_time(), communicator);
 
     timer.restart();
     const double share = removal_share(parameters.initial_penetration,
@@ -356,7 +353,7 @@ namespace MortarContact
       sweep->evaluate(share, with_tangent);
     make_report();
     last_report.evaluate_seconds +=
-        Utilities::MPI::max(timer.wall_time(), communicator);
+      Utilities::MPI::max(timer.wall_time(), communicator);
   }
 
 
@@ -374,13 +371,13 @@ namespace MortarContact
         const ContactSweep<dim> &sweep   = *sweeps[i];
         const auto              &counts  = sweep.counts();
         const double             added[] = {
-                        double(sweep.candidates().size()),
-                        double(counts.active),
-                        double(counts.open),
-                        double(counts.apart),
-                        double(counts.beyond),
-                        double(counts.degenerate),
-                        double(sweep.too_deep(parameters.largest_share()).size())};
+                      double(sweep.candidates().size()),
+                      double(counts.active),
+                      double(counts.open),
+                      double(counts.apart),
+                      double(counts.beyond),
+                      double(counts.degenerate),
+                      double(sweep.too_deep(parameters.largest_share()).size())};
         for (unsigned int k = 0; k < 7; ++k)
           sums[k] += added[k];
         maxima[2] = std::max(maxima[2], -counts.smallest_gap);
@@ -400,7 +397,7 @@ namespace MortarContact
                              if (side != i) // body 0: side i of sweep i
                                return;
                              const Tensor<1, 3> moment =
-                                 cross_product_3d(x, force);
+                               cross_product_3d(x, force);
                              for (unsigned int c = 0; c < 3; ++c)
                                {
                                  sums[10 + c] += force[c];
@@ -408,7 +405,7 @@ namespace MortarContact
                                }
                            });
             const double relative =
-                block.relative_penetration / parameters.largest_share();
+              block.relative_penetration / parameters.largest_share();
             maxima[0] = std::max(maxima[0], block.penetration);
             maxima[1] = std::max(maxima[1], relative);
             worst.push_back({block.penetration,
@@ -455,10 +452,10 @@ namespace MortarContact
           if (kept.size() >= parameters.n_worst_facets)
             break;
           const bool known =
-              std::any_of(kept.begin(), kept.end(), [&](const auto &k) {
-                return k.secondary.cell == p.secondary.cell &&
-                       k.secondary.part == p.secondary.part;
-              });
+            std::any_of(kept.begin(), kept.end(), [&](const auto &k) {
+              return k.secondary.cell == p.secondary.cell &&
+                     k.secondary.part == p.secondary.part;
+            });
           if (!known)
             kept.push_back(p);
         }
@@ -508,7 +505,7 @@ namespace MortarContact
           released = sweep->too_deep(parameters.largest_share());
         n_released += released.size();
         sweep->commit(parameters.initial_penetration ==
-                          InitialPenetration::track,
+                        InitialPenetration::track,
                       released);
       }
     last_report.n_released += Utilities::MPI::sum(n_released, communicator);
@@ -574,12 +571,12 @@ namespace MortarContact
   template <int dim>
   void
   ContactInterface<dim>::distribute_pair(
-      const unsigned int                            sweep,
-      const typename ContactSweep<dim>::ActivePair &pair,
-      const bool                                    with_tangent,
-      std::vector<types::global_dof_index>         &pair_dofs,
-      Vector<double>                               &forces,
-      FullMatrix<double>                           &tangent) const
+    const unsigned int                            sweep,
+    const typename ContactSweep<dim>::ActivePair &pair,
+    const bool                                    with_tangent,
+    std::vector<types::global_dof_index>         &pair_dofs,
+    Vector<double>                               &forces,
+    FullMatrix<double>                           &tangent) const
   {
     pair_dofs = dofs_of(sweep, pair.secondary, pair.primary);
     forces.reinit(pair_dofs.size());
@@ -602,12 +599,12 @@ namespace MortarContact
              vertex_of(sweep, pair.secondary, pair.primary, a).row)
           for (unsigned int i = 0; i < dim; ++i)
             terms.push_back(
-                {a * dim + i,
-                 static_cast<unsigned int>(std::lower_bound(pair_dofs.begin(),
-                                                            pair_dofs.end(),
-                                                            entry.dofs[i]) -
-                                           pair_dofs.begin()),
-                 entry.weight});
+              {a * dim + i,
+               static_cast<unsigned int>(std::lower_bound(pair_dofs.begin(),
+                                                          pair_dofs.end(),
+                                                          entry.dofs[i]) -
+                                         pair_dofs.begin()),
+               entry.weight});
 
     for (const Term &row : terms)
       {
@@ -615,8 +612,8 @@ namespace MortarContact
         if (with_tangent)
           for (const Term &column : terms)
             tangent(row.dof, column.dof) +=
-                row.weight * column.weight *
-                pair.block.tangent[row.component][column.component];
+              row.weight * column.weight *
+              pair.block.tangent[row.component][column.component];
       }
   }
 
@@ -671,9 +668,9 @@ namespace MortarContact
                        });
     Utilities::MPI::sum(sums, communicator, sums);
     const auto share =
-        [](const double x, const double y, const double z, const double of) {
-          return of > 0. ? std::sqrt(x * x + y * y + z * z) / of : 0.;
-        };
+      [](const double x, const double y, const double z, const double of) {
+        return of > 0. ? std::sqrt(x * x + y * y + z * z) / of : 0.;
+      };
     return std::max(share(sums[0], sums[1], sums[2], sums[6]),
                     share(sums[3], sums[4], sums[5], sums[7]));
   }
@@ -711,7 +708,7 @@ namespace MortarContact
         for (const auto &pair : sweeps[i]->active_pairs())
           {
             distribute_pair(
-                i, pair, direction != nullptr, pair_dofs, forces, tangent);
+              i, pair, direction != nullptr, pair_dofs, forces, tangent);
             const auto index = [&](const unsigned int k) {
               return std::lower_bound(dofs.begin(), dofs.end(), pair_dofs[k]) -
                      dofs.begin();
@@ -752,7 +749,7 @@ namespace MortarContact
             for (std::size_t i = 0; i < exact.size(); ++i)
               {
                 const double difference =
-                    (plus[i] - minus[i]) / (2. * h * size);
+                  (plus[i] - minus[i]) / (2. * h * size);
                 error = std::max(error, std::abs(difference - exact[i]));
                 scale = std::max(scale, std::abs(exact[i]));
               }

@@ -87,13 +87,13 @@ namespace MortarContact
             const unsigned int side = (role == 0) ? i : 1 - i;
             const unsigned int f = (role == 0) ? pair.secondary : pair.primary;
             const Tensor<1, dim> w =
-                centre_normal(contact.surface(side).skin.facets[f].current);
+              centre_normal(contact.surface(side).skin.facets[f].current);
             for (unsigned int a = 0; a < V; ++a)
               for (unsigned int c = 0; c < dim; ++c)
                 force[side][f * V + a] +=
-                    pair.block.residual[role * max_facet_components<dim> +
-                                        a * dim + c] *
-                    w[c] / w.norm();
+                  pair.block
+                    .residual[role * max_facet_components<dim> + a * dim + c] *
+                  w[c] / w.norm();
             double &d        = depth[side][2 * f];
             double &relative = depth[side][2 * f + 1];
             d                = std::max(d, pair.block.penetration);
@@ -127,7 +127,7 @@ namespace MortarContact
             state.reference   = skin.facets[f].reference;
             state.penetration = depth[side][2 * f];
             state.relative =
-                depth[side][2 * f + 1] / contact.parameters.largest_share();
+              depth[side][2 * f + 1] / contact.parameters.largest_share();
             state.side  = side;
             state.label = surface.labels[f];
             for (unsigned int a = 0; a < state.current.n_vertices; ++a)

@@ -62,14 +62,14 @@ namespace MortarContact
         cell_modulus.push_back(stiffness.modulus > 0. ? stiffness.modulus :
                                                         f.modulus);
         cell_length.push_back(
-            stiffness.length > 0. ?
-                stiffness.length :
-                (stiffness.use_shortest_edge ? f.shortest_edge : f.length));
+          stiffness.length > 0. ?
+            stiffness.length :
+            (stiffness.use_shortest_edge ? f.shortest_edge : f.length));
       }
 
     // Step 3: compliance l/K and length at the vertices.
     std::vector<double> total_area(vertices.size()),
-        compliance(vertices.size()), length(vertices.size());
+      compliance(vertices.size()), length(vertices.size());
     for (unsigned int f = 0; f < facets.size(); ++f)
       {
         const double a = area(skin.facets[f].reference);
@@ -94,8 +94,8 @@ namespace MortarContact
   template <int dim>
   Tensor<1, dim>
   ContactSurface<dim>::position(
-      const SurfaceVertex<dim>                             &v,
-      const std::function<double(types::global_dof_index)> &displacement) const
+    const SurfaceVertex<dim>                             &v,
+    const std::function<double(types::global_dof_index)> &displacement) const
   {
     Tensor<1, dim> x = v.reference;
     for (const auto &entry : v.row)
@@ -108,7 +108,7 @@ namespace MortarContact
   template <int dim>
   std::vector<Facet<dim>>
   ContactSurface<dim>::moved(
-      const std::function<double(types::global_dof_index)> &displacement) const
+    const std::function<double(types::global_dof_index)> &displacement) const
   {
     std::vector<Tensor<1, dim>> x;
     x.reserve(vertices.size());
@@ -128,7 +128,7 @@ namespace MortarContact
   template <int dim>
   void
   ContactSurface<dim>::move(
-      const std::function<double(types::global_dof_index)> &displacement)
+    const std::function<double(types::global_dof_index)> &displacement)
   {
     const std::vector<Facet<dim>> facets = moved(displacement);
     for (unsigned int f = 0; f < facets.size(); ++f)

@@ -45,14 +45,14 @@ namespace MortarContact
           // the corner farthest from the first one lies opposite
           const auto distance = [&](const unsigned int k) {
             return scalar.unit_support_point(k).distance(
-                scalar.unit_support_point(corners[0]));
+              scalar.unit_support_point(corners[0]));
           };
           const auto opposite =
-              std::max_element(corners.begin(),
-                               corners.end(),
-                               [&](const auto a, const auto b) {
-                                 return distance(a) < distance(b);
-                               });
+            std::max_element(corners.begin(),
+                             corners.end(),
+                             [&](const auto a, const auto b) {
+                               return distance(a) < distance(b);
+                             });
           std::iter_swap(opposite, corners.begin() + 2);
         }
       return corners;
@@ -77,10 +77,10 @@ namespace MortarContact
           return pattern;
         }
 
-      AssertThrow(
-          scalar.degree == 2,
-          ExcMessage("Contact surfaces need elements of degree 1 or 2; found " +
-                     scalar.get_name() + "."));
+      AssertThrow(scalar.degree == 2,
+                  ExcMessage(
+                    "Contact surfaces need elements of degree 1 or 2; found " +
+                    scalar.get_name() + "."));
       const auto node_at = [&](const Point<dim> &p) {
         for (unsigned int k = 0; k < scalar.n_dofs_per_cell(); ++k)
           if (scalar.unit_support_point(k).distance(p) < same_point)
@@ -96,11 +96,11 @@ namespace MortarContact
       for (unsigned int a = 0; a < n_edges; ++a)
         {
           const unsigned int c = corners[a], d = corners[(a + 1) % n];
-          const Point<dim>   middle = scalar.unit_support_point(c) +
-                                    0.5 * (scalar.unit_support_point(d) -
-                                           scalar.unit_support_point(c));
+          const Point<dim>   middle =
+            scalar.unit_support_point(c) +
+            0.5 * (scalar.unit_support_point(d) - scalar.unit_support_point(c));
           pattern.vertices.push_back(
-              {{node_at(middle), 4. / 3.}, {c, -1. / 6.}, {d, -1. / 6.}});
+            {{node_at(middle), 4. / 3.}, {c, -1. / 6.}, {d, -1. / 6.}});
         }
       if (dim == 2)
         pattern.facets = {{0, 2}, {2, 1}};
@@ -110,9 +110,9 @@ namespace MortarContact
         {
           // the tensor product of the rule for edges
           const Point<dim> middle =
-              scalar.unit_support_point(corners[0]) +
-              0.5 * (scalar.unit_support_point(corners[2]) -
-                     scalar.unit_support_point(corners[0]));
+            scalar.unit_support_point(corners[0]) +
+            0.5 * (scalar.unit_support_point(corners[2]) -
+                   scalar.unit_support_point(corners[0]));
           VertexRow row = {{node_at(middle), 16. / 9.}};
           for (unsigned int a = 0; a < 4; ++a)
             {
@@ -165,17 +165,16 @@ namespace MortarContact
 
               const FiniteElement<dim> &fe     = cell->get_fe();
               const FiniteElement<dim> &scalar = fe.base_element(
-                  fe.component_to_base_index(first_component).first);
+                fe.component_to_base_index(first_component).first);
               const auto key = std::make_pair(cell->active_fe_index(), face);
               auto       pattern = patterns.find(key);
               if (pattern == patterns.end())
-                pattern = patterns
-                              .emplace(key,
-                                       make_pattern(scalar,
-                                                    cyclic_corners<dim>(cell,
-                                                                        scalar,
-                                                                        face)))
-                              .first;
+                pattern =
+                  patterns
+                    .emplace(key,
+                             make_pattern(
+                               scalar, cyclic_corners<dim>(cell, scalar, face)))
+                    .first;
 
               dofs.resize(fe.n_dofs_per_cell());
               cell->get_dof_indices(dofs);
@@ -210,12 +209,12 @@ namespace MortarContact
                           entry.weight = weight;
                           for (unsigned int i = 0; i < dim; ++i)
                             entry.dofs[i] =
-                                numbering(dofs[fe.component_to_system_index(
-                                    first_component + i, k)]);
+                              numbering(dofs[fe.component_to_system_index(
+                                first_component + i, k)]);
                           v.row.push_back(entry);
                           v.reference +=
-                              weight * mapping.transform_unit_to_real_cell(
-                                           cell, scalar.unit_support_point(k));
+                            weight * mapping.transform_unit_to_real_cell(
+                                       cell, scalar.unit_support_point(k));
                         }
                       reference.x[a] = v.reference;
                     }
@@ -231,9 +230,9 @@ namespace MortarContact
 
               // height of the cell over the face: V/A, for simplices dim V/A
               const bool is_simplex =
-                  cell->reference_cell().n_vertices() == dim + 1;
+                cell->reference_cell().n_vertices() == dim + 1;
               const double length =
-                  (is_simplex ? dim : 1.) * cell->measure() / face_area;
+                (is_simplex ? dim : 1.) * cell->measure() / face_area;
               AssertThrow(length > 0.,
                           ExcMessage("Cell " +
                                      std::to_string(common.label.cell) +

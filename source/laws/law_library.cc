@@ -9,10 +9,10 @@ namespace MortarContact
   pressure_laws()
   {
     static const std::vector<std::pair<std::string, PressureCurve>> laws = {
-        {"parabola linear", PressureCurve::parabola_linear},
-        {"parabola", PressureCurve::parabola},
-        {"quartic linear", PressureCurve::quartic_linear},
-        {"linear", PressureCurve::linear}};
+      {"parabola linear", PressureCurve::parabola_linear},
+      {"parabola", PressureCurve::parabola},
+      {"quartic linear", PressureCurve::quartic_linear},
+      {"linear", PressureCurve::linear}};
     return laws;
   }
 

@@ -37,8 +37,7 @@ namespace MortarContact
       for (unsigned int f = 0; f < from.size(); ++f)
         for (unsigned int a = 0; a < from[f].n_vertices; ++a)
           result = std::max(
-              result,
-              (skin.facets[f].current.x[a] - from[f].x[a]).norm_square());
+            result, (skin.facets[f].current.x[a] - from[f].x[a]).norm_square());
       return std::sqrt(result);
     }
 
@@ -72,7 +71,7 @@ namespace MortarContact
           owned.push_back(f);
       }
     margin =
-        margin_share * sum / std::max<std::size_t>(1, secondary.facets.size());
+      margin_share * sum / std::max<std::size_t>(1, secondary.facets.size());
   }
 
 
@@ -93,7 +92,7 @@ namespace MortarContact
         searched_p.size() != primary.facets.size())
       return true;
     return largest_motion(secondary, searched_s) +
-               largest_motion(primary, searched_p) >
+             largest_motion(primary, searched_p) >
            margin;
   }
 
@@ -140,7 +139,7 @@ namespace MortarContact
       {
         offset.share = share;
         offset.level = extrapolate_to_vertices<dim>(
-            secondary.facets[owned[o]].current.n_vertices, history.level[o]);
+          secondary.facets[owned[o]].current.n_vertices, history.level[o]);
       }
     return offset;
   }
@@ -164,7 +163,7 @@ namespace MortarContact
     last_counts.degenerate += block.is_degenerate;
     last_counts.beyond += block.n_beyond > 0;
     last_counts.smallest_gap =
-        std::min(last_counts.smallest_gap, block.smallest_gap);
+      std::min(last_counts.smallest_gap, block.smallest_gap);
     last_counts.overlap = std::max(last_counts.overlap, block.overlap);
   }
 
@@ -250,7 +249,7 @@ namespace MortarContact
             for (unsigned int k = first; k < next; ++k)
               {
                 const auto hit =
-                    kernel.hit(frame, xi, primary.facets[pairs[k].second]);
+                  kernel.hit(frame, xi, primary.facets[pairs[k].second]);
                 if (hit &&
                     (!best || std::abs(hit->depth) < std::abs(best->depth)))
                   {
@@ -260,15 +259,15 @@ namespace MortarContact
               }
             if (best)
               kernel.add_fixed_point(
-                  frame,
-                  facet,
-                  offset,
-                  primary.facets[pairs[best_pair].second],
-                  xi,
-                  best->eta,
-                  weight * w,
-                  with_tangent,
-                  active[first_active + best_pair - first].block);
+                frame,
+                facet,
+                offset,
+                primary.facets[pairs[best_pair].second],
+                xi,
+                best->eta,
+                weight * w,
+                with_tangent,
+                active[first_active + best_pair - first].block);
           }
 
         std::size_t kept = first_active;
@@ -384,8 +383,8 @@ namespace MortarContact
         const unsigned int       n     = facet.current.n_vertices;
         const double             l     = largest(facet);
         const double range = look_deeper * ((treatment.deepest > 0.) ?
-                                                treatment.deepest :
-                                                treatment.largest_share * l);
+                                              treatment.deepest :
+                                              treatment.largest_share * l);
         const SecondaryFrame<dim> frame(facet.current);
         Box<dim>                  box = box_around(facet.current);
         for (unsigned int a = 0; a < n; ++a)
@@ -397,7 +396,7 @@ namespace MortarContact
                                   near.end(),
                                   [&](const unsigned int p) {
                                     return PairFilter<dim>::share_vertex(
-                                        secondary, f, primary, p);
+                                      secondary, f, primary, p);
                                   }),
                    near.end());
         if (near.empty())
@@ -411,9 +410,9 @@ namespace MortarContact
 
         // Step 3: too deep to be treated?
         const double limit =
-            (treatment.deepest > 0.) ?
-                treatment.deepest :
-                treatment.largest_share * deepest->stiffness.length;
+          (treatment.deepest > 0.) ?
+            treatment.deepest :
+            treatment.largest_share * deepest->stiffness.length;
         if (deepest->depth > limit)
           {
             ++findings.n_too_deep;
@@ -446,10 +445,10 @@ namespace MortarContact
           {
             const Depth  at = *depths.of_point(q);
             const double remaining =
-                at.stiffness.length * law.inverse(treatment.remaining_pressure /
-                                                  at.stiffness.modulus);
+              at.stiffness.length *
+              law.inverse(treatment.remaining_pressure / at.stiffness.modulus);
             history.level[o][q] =
-                (at.depth > 0.) ? at.depth - remaining : at.depth;
+              (at.depth > 0.) ? at.depth - remaining : at.depth;
           }
       }
     restore(history);
@@ -511,7 +510,7 @@ namespace MortarContact
               // out of sight is open
               const std::optional<Depth> &d = depths.of_point(q);
               history.level[o][q] =
-                  std::min(history.level[o][q], d ? d->depth : 0.);
+                std::min(history.level[o][q], d ? d->depth : 0.);
             }
         const bool is_open = !depths.deepest || depths.deepest->depth <= 0.;
         if (is_released(o) && is_open)
@@ -563,7 +562,7 @@ namespace MortarContact
             extend(box, moved_s[f].x[a]);
             front = std::max(front, n * facet.current.x[a]);
             advance =
-                std::max(advance, n * (moved_s[f].x[a] - facet.current.x[a]));
+              std::max(advance, n * (moved_s[f].x[a] - facet.current.x[a]));
           }
         for (const unsigned int p : broad_phase.find(box))
           {
@@ -576,12 +575,12 @@ namespace MortarContact
               {
                 gap = std::min(gap, n * other.x[a] - front);
                 approach =
-                    std::min(approach, n * (moved_p[p].x[a] - other.x[a]));
+                  std::min(approach, n * (moved_p[p].x[a] - other.x[a]));
               }
             gap -= facet.surface_offset + primary.facets[p].surface_offset;
             const double closing = advance - approach;
             const double allowed =
-                std::max(gap, 0.) + safe_share * largest(facet);
+              std::max(gap, 0.) + safe_share * largest(facet);
             if (gap > -reach(f) - diameter(other) && closing > allowed)
               step = std::min(step, allowed / closing);
           }

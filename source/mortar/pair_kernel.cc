@@ -111,7 +111,7 @@ namespace MortarContact
             // triangles: the square with one edge collapsed
             const double s = (n_vertices == 3) ? 1. - points_1d[r] : 1.;
             points.emplace_back(PlanePoint<dim>(
-                                    {s * points_1d[q], points_1d[r]}),
+                                  {s * points_1d[q], points_1d[r]}),
                                 s * weights_1d[q] * weights_1d[r]);
           }
     return points;
@@ -159,14 +159,14 @@ namespace MortarContact
     for (unsigned int a = 0; a < frame.facet.n_vertices; ++a)
       y += N[a] * frame.y[a];
     const auto eta =
-        inverse_map<dim>(primary.current.n_vertices, projected.y, y);
+      inverse_map<dim>(primary.current.n_vertices, projected.y, y);
     if (!eta ||
         !is_inside<dim>(primary.current.n_vertices, *eta, between_facets))
       return {};
     const double depth =
-        dot<dim>(N, frame.height) -
-        dot<dim>(shape_values<dim>(primary.current.n_vertices, *eta),
-                 projected.height);
+      dot<dim>(N, frame.height) -
+      dot<dim>(shape_values<dim>(primary.current.n_vertices, *eta),
+               projected.height);
     return Hit{*eta, depth};
   }
 
@@ -189,7 +189,7 @@ namespace MortarContact
     point.weight = weight * area_element(secondary.reference, xi);
     Sums sums;
     add_point(
-        frame, secondary, offset, primary, point, with_tangent, sums, block);
+      frame, secondary, offset, primary, point, with_tangent, sums, block);
     if (with_tangent)
       add_sums(frame, sums, block);
   }
@@ -218,7 +218,7 @@ namespace MortarContact
         return;
       }
     const double minimum_area =
-        negligible_area * MortarContact::area(frame.facet);
+      negligible_area * MortarContact::area(frame.facet);
 
     std::optional<VertexMotion<dim>> vertex_motion;
     Sums                             sums;
@@ -260,7 +260,7 @@ namespace MortarContact
                   point.xi  = *xi;
                   point.eta = *eta;
                   const Tensor<2, dim - 1> J =
-                      plane_jacobian<dim>(n_s, frame.y, *xi);
+                    plane_jacobian<dim>(n_s, frame.y, *xi);
                   const double J0    = area_element(secondary.reference, *xi);
                   const double J_y   = determinant(J);
                   const double ratio = weight * q.weight * J0 / J_y;
@@ -271,9 +271,9 @@ namespace MortarContact
                   // back costs a little in vain.
                   const auto   N = shape_values<dim>(n_s, *xi);
                   const double depth =
-                      dot<dim>(N, frame.height) -
-                      dot<dim>(shape_values<dim>(n_p, *eta), projected.height) +
-                      secondary.surface_offset + primary.surface_offset;
+                    dot<dim>(N, frame.height) -
+                    dot<dim>(shape_values<dim>(n_p, *eta), projected.height) +
+                    secondary.surface_offset + primary.surface_offset;
                   if (with_tangent && depth > 0.)
                     {
                       if (!motion_known)
@@ -332,15 +332,15 @@ namespace MortarContact
                                 y_twist += twist[a] * frame.y[a];
                               }
                             const auto X_twist =
-                                interpolate(secondary.reference, twist);
+                              interpolate(secondary.reference, twist);
                             const auto X_0 =
-                                interpolate(secondary.reference, dN[0]);
+                              interpolate(secondary.reference, dN[0]);
                             const auto X_1 =
-                                interpolate(secondary.reference, dN[1]);
+                              interpolate(secondary.reference, dN[1]);
                             const auto m = cross_product_3d(X_0, X_1);
                             const std::array<double, 2> dJ0 = {
-                                {cross_product_3d(X_0, X_twist) * m / J0,
-                                 cross_product_3d(X_twist, X_1) * m / J0}};
+                              {cross_product_3d(X_0, X_twist) * m / J0,
+                               cross_product_3d(X_twist, X_1) * m / J0}};
                             for (unsigned int c = 0; c < 2; ++c)
                               {
                                 double log_dJ_y = 0.;
@@ -396,7 +396,7 @@ namespace MortarContact
 
     const double level = (offset.share > 0.) ? dot<dim>(N_s, offset.level) : 0.;
     const double overlap =
-        distance + secondary.surface_offset + primary.surface_offset;
+      distance + secondary.surface_offset + primary.surface_offset;
     const double d = overlap - MortarContact::offset(level, offset.share);
 
     // Step 2: stiffness and facing angle.
@@ -437,11 +437,11 @@ namespace MortarContact
 
     const double s      = std::min(1.,
                               (cosine - options.zero_cosine) /
-                                  (options.full_cosine - options.zero_cosine));
+                                (options.full_cosine - options.zero_cosine));
     const double facing = s * s * (3. - 2. * s);
 
     const NormalResponse r =
-        law->evaluate(d, stiffness.modulus, stiffness.length);
+      law->evaluate(d, stiffness.modulus, stiffness.length);
     const double W       = point.weight;
     const double sigma   = r.pressure * facing;
     const double W_sigma = W * sigma;
@@ -456,7 +456,7 @@ namespace MortarContact
         block.deepest_position = x_s;
       }
     block.relative_penetration =
-        std::max(block.relative_penetration, d / stiffness.length);
+      std::max(block.relative_penetration, d / stiffness.length);
 
     // Step 3: first variation. With the dual basis of (t_p, n),
     //   delta d = a . v,  delta eta_b = a_b . v,
@@ -502,7 +502,7 @@ namespace MortarContact
             const Tensor<1, dim> a_eta_dn = a_eta[c] * frame.dn[v];
             for (unsigned int i = 0; i < dim; ++i)
               deta[c][v * dim + i] =
-                  N_s[v] * a_eta[c][i] - distance * a_eta_dn[i];
+                N_s[v] * a_eta[c][i] - distance * a_eta_dn[i];
           }
         for (unsigned int v = 0; v < n_p; ++v)
           for (unsigned int i = 0; i < dim; ++i)
@@ -627,10 +627,10 @@ namespace MortarContact
     if (s < 1.)
       {
         const double dfacing =
-            6. * s * (1. - s) / (options.full_cosine - options.zero_cosine);
+          6. * s * (1. - s) / (options.full_cosine - options.zero_cosine);
         const Tensor<1, dim> n_p_unit = m / m_norm;
         const Tensor<1, dim> across =
-            -(n + cosine * n_p_unit) / m_norm; // d(cosine)/dm
+          -(n + cosine * n_p_unit) / m_norm; // d(cosine)/dm
         PairVector<dim> dcosine = {};
         for (unsigned int v = 0; v < n_s; ++v)
           {
@@ -651,7 +651,7 @@ namespace MortarContact
             for (unsigned int v = 0; v < n_p; ++v)
               for (unsigned int i = 0; i < dim; ++i)
                 dcosine[P + v * dim + i] +=
-                    dN_p[0][v] * by_t0[i] + dN_p[1][v] * by_t1[i];
+                  dN_p[0][v] * by_t0[i] + dN_p[1][v] * by_t1[i];
             if (n_p == 4)
               {
                 Tensor<1, dim> twist;
@@ -677,7 +677,7 @@ namespace MortarContact
   {
     // -distance a . d2n, with a . n = 1
     const auto curvature =
-        frame.normal_curvature(sums.curvature_across, sums.curvature_along);
+      frame.normal_curvature(sums.curvature_across, sums.curvature_along);
     for (unsigned int i = 0; i < max_facet_components<dim>; ++i)
       for (unsigned int j = 0; j < max_facet_components<dim>; ++j)
         block.tangent[i][j] -= curvature[i][j];

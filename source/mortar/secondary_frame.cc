@@ -104,7 +104,7 @@ namespace MortarContact
           const Tensor<1, dim> tilt = basis[c] * dn[a];
           for (unsigned int i = 0; i < dim; ++i)
             motion[c][a * dim + i] =
-                -basis[c][i] / facet.n_vertices - height * tilt[i];
+              -basis[c][i] / facet.n_vertices - height * tilt[i];
         }
     return motion;
   }
@@ -139,9 +139,9 @@ namespace MortarContact
       for (unsigned int b = 0; b < n; ++b)
         {
           Tensor<2, dim> block =
-              (outer_product(z[a], u[b]) + outer_product(u[a], z[b]) +
-               along * (transpose(dw[a]) * P_dw[b])) /
-              -w2;
+            (outer_product(z[a], u[b]) + outer_product(u[a], z[b]) +
+             along * (transpose(dw[a]) * P_dw[b])) /
+            -w2;
           if constexpr (dim == 3)
             block -= (p_of[a] * q_of[b] - q_of[a] * p_of[b]) * b_cross;
           for (unsigned int i = 0; i < dim; ++i)

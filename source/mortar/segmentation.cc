@@ -71,7 +71,7 @@ namespace MortarContact
                 d[i] = motion[c][i];
               for (unsigned int i = 0; i < dim; ++i)
                 d[side * max_facet_components<dim> + a * dim + i] +=
-                    frame.basis[c][i];
+                  frame.basis[c][i];
             }
         }
     };
@@ -90,9 +90,9 @@ namespace MortarContact
         for (unsigned int k = 1; k + 1 < overlap.n_vertices; ++k)
           {
             const std::array<PlanePoint<dim>, 3> y = {
-                {overlap.vertices[0].y,
-                 overlap.vertices[k].y,
-                 overlap.vertices[k + 1].y}};
+              {overlap.vertices[0].y,
+               overlap.vertices[k].y,
+               overlap.vertices[k + 1].y}};
             const double a = twice_area(y);
             sum += a;
             centroid += a / 3. * (y[0] + y[1] + y[2]);
@@ -182,8 +182,8 @@ namespace MortarContact
       return (side == Side::secondary) ? frame.y[vertex] : primary.y[vertex];
     };
     const auto motion_of =
-        [&](const Side         side,
-            const unsigned int vertex) -> const PlaneMotion<dim> & {
+      [&](const Side         side,
+          const unsigned int vertex) -> const PlaneMotion<dim> & {
       return vertices.dy[static_cast<unsigned int>(side)][vertex];
     };
 
@@ -243,9 +243,9 @@ namespace MortarContact
           {
             const std::array<unsigned int, 3>    v = {{0, k, k + 1}};
             const std::array<PlanePoint<dim>, 3> y = {
-                {overlap.vertices[v[0]].y,
-                 overlap.vertices[v[1]].y,
-                 overlap.vertices[v[2]].y}};
+              {overlap.vertices[v[0]].y,
+               overlap.vertices[v[1]].y,
+               overlap.vertices[v[2]].y}};
             std::array<PlanePoint<dim>, 3> da;
             const double                   a = twice_area(y, &da);
             sum += a;

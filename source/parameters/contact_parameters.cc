@@ -56,20 +56,20 @@ namespace MortarContact
     const Patterns::Double  positive_or_zero(0.);
 
     prm.declare_entry(
-        "Kind",
-        "automatic surface to surface",
-        Patterns::Selection(
-            "forming surface to surface|automatic surface to surface"),
-        "Forming: points on the secondary only, stiffness of the secondary. "
-        "Automatic: both sides in turn at half weight, so that it does not matter "
-        "which is which; twice the cost. "
-        "(FORMING_/AUTOMATIC_SURFACE_TO_SURFACE_MORTAR)");
+      "Kind",
+      "automatic surface to surface",
+      Patterns::Selection(
+        "forming surface to surface|automatic surface to surface"),
+      "Forming: points on the secondary only, stiffness of the secondary. "
+      "Automatic: both sides in turn at half weight, so that it does not matter "
+      "which is which; twice the cost. "
+      "(FORMING_/AUTOMATIC_SURFACE_TO_SURFACE_MORTAR)");
     prm.declare_entry(
-        "Integration",
-        "segments",
-        Patterns::Selection("segments|points"),
-        "segments: over the overlaps of facets, exact for plane facets. points: "
-        "at points fixed on the secondary, without clipping; cheaper and rougher.");
+      "Integration",
+      "segments",
+      Patterns::Selection("segments|points"),
+      "segments: over the overlaps of facets, exact for plane facets. points: "
+      "at points fixed on the secondary, without clipping; cheaper and rougher.");
     prm.declare_entry("Degree",
                       std::to_string(d.integration.degree),
                       Patterns::Integer(2, 6),
@@ -97,25 +97,25 @@ namespace MortarContact
                       "Contact modulus of both sides [pressure]; 0: the bulk "
                       "modulus of each cell's material (SLDSTF).");
     prm.declare_entry(
-        "Stiffness side",
-        d.stiffness_side,
-        Patterns::Selection("automatic|secondary|series"),
-        "secondary: as LS-DYNA, put the softer body there. series: "
-        "both as springs in series. automatic: secondary for "
-        "forming, series for automatic kinds.");
+      "Stiffness side",
+      d.stiffness_side,
+      Patterns::Selection("automatic|secondary|series"),
+      "secondary: as LS-DYNA, put the softer body there. series: "
+      "both as springs in series. automatic: secondary for "
+      "forming, series for automatic kinds.");
     prm.declare_entry(
-        "Characteristic length",
-        d.characteristic_length,
-        Patterns::Anything(),
-        "Length that makes penetration relative: local (height of each cell over "
-        "its facet), shortest edge (of the part, as LS-DYNA), or a value "
-        "[length] (SST for solids).");
+      "Characteristic length",
+      d.characteristic_length,
+      Patterns::Anything(),
+      "Length that makes penetration relative: local (height of each cell over "
+      "its facet), shortest edge (of the part, as LS-DYNA), or a value "
+      "[length] (SST for solids).");
     prm.declare_entry(
-        "Progressive stiffening",
-        "1.0",
-        Patterns::Double(1.),
-        "Factor on the pressure at the largest penetration, grows "
-        "from half of it on [-]; 1: none (IGAP).");
+      "Progressive stiffening",
+      "1.0",
+      Patterns::Double(1.),
+      "Factor on the pressure at the largest penetration, grows "
+      "from half of it on [-]; 1: none (IGAP).");
     prm.declare_entry("Largest penetration",
                       "0.0",
                       positive_or_zero,
@@ -133,21 +133,21 @@ namespace MortarContact
                       "Contact surface in front of the secondary's mesh "
                       "[length] (SLDTHK).");
     prm.declare_entry(
-        "Primary offset",
-        "0.0",
-        Patterns::Double(),
-        "Contact surface in front of the primary's mesh [length].");
+      "Primary offset",
+      "0.0",
+      Patterns::Double(),
+      "Contact surface in front of the primary's mesh [length].");
     prm.declare_entry("Initial penetration",
                       "stress",
                       Patterns::Selection(alternatives(treatments)),
                       "Treatment of penetrations that are there at the start "
                       "(IGNORE 0, 1, 2, 3, 4).");
     prm.declare_entry(
-        "Initial pressure",
-        "0.0",
-        positive_or_zero,
-        "Contact pressure at the start where Initial penetration = "
-        "ignore [pressure] (MPAR1).");
+      "Initial pressure",
+      "0.0",
+      positive_or_zero,
+      "Contact pressure at the start where Initial penetration = "
+      "ignore [pressure] (MPAR1).");
     prm.declare_entry("Removal time",
                       "0.0",
                       positive_or_zero,
@@ -180,11 +180,11 @@ namespace MortarContact
   ContactParameters::read(ParameterHandler &prm)
   {
     kind               = (prm.get("Kind") == "forming surface to surface") ?
-                             Kind::forming_surface_to_surface :
-                             Kind::automatic_surface_to_surface;
+                           Kind::forming_surface_to_surface :
+                           Kind::automatic_surface_to_surface;
     integration.rule   = (prm.get("Integration") == "points") ?
-                             Integration::Rule::points :
-                             Integration::Rule::segments;
+                           Integration::Rule::points :
+                           Integration::Rule::segments;
     integration.degree = prm.get_integer("Degree");
     integration.points_per_direction = prm.get_integer("Points per direction");
     law                              = prm.get("Law");
@@ -196,7 +196,7 @@ namespace MortarContact
     progressive_stiffening           = prm.get_double("Progressive stiffening");
     largest_penetration              = prm.get_double("Largest penetration");
     release =
-        (prm.get("Release") == "report") ? Release::report : Release::cut_back;
+      (prm.get("Release") == "report") ? Release::report : Release::cut_back;
     secondary_offset = prm.get_double("Secondary offset");
     primary_offset   = prm.get_double("Primary offset");
     for (unsigned int i = 0; i < treatments.size(); ++i)
@@ -216,30 +216,30 @@ namespace MortarContact
   ContactParameters::check() const
   {
     const std::string treatment =
-        "'Initial penetration' is '" + to_string(initial_penetration) + "'";
+      "'Initial penetration' is '" + to_string(initial_penetration) + "'";
     const bool removes = initial_penetration == InitialPenetration::remove ||
                          initial_penetration == InitialPenetration::remove_deep;
     const bool deep = initial_penetration == InitialPenetration::remove_deep;
 
     AssertThrow(!removes || removal_time > 0.,
                 ExcMessage(
-                    treatment +
-                    " but 'Removal time' (MPAR1) is 0; give the positive "
-                    "time at which penetrations are gone."));
+                  treatment +
+                  " but 'Removal time' (MPAR1) is 0; give the positive "
+                  "time at which penetrations are gone."));
     AssertThrow(!deep || deepest_penetration > 0.,
                 ExcMessage(treatment +
                            " but 'Deepest initial penetration' (MPAR2) is 0; "
                            "give an upper bound of the initial penetrations."));
     AssertThrow(deep || deepest_penetration == 0.,
                 ExcMessage(
-                    "'Deepest initial penetration' is set but " + treatment +
-                    "; it acts with 'remove over time deep' only. Remove "
-                    "one of them."));
+                  "'Deepest initial penetration' is set but " + treatment +
+                  "; it acts with 'remove over time deep' only. Remove "
+                  "one of them."));
     AssertThrow(initial_pressure == 0. ||
-                    initial_penetration == InitialPenetration::ignore,
+                  initial_penetration == InitialPenetration::ignore,
                 ExcMessage(
-                    "'Initial pressure' is set but " + treatment +
-                    "; it acts with 'ignore' only. Remove one of them."));
+                  "'Initial pressure' is set but " + treatment +
+                  "; it acts with 'ignore' only. Remove one of them."));
     AssertThrow(removes || removal_time == 0.,
                 ExcMessage("'Removal time' is set but " + treatment +
                            "; it acts with 'remove over time' and 'remove over "
@@ -249,11 +249,10 @@ namespace MortarContact
                            "; expected a positive pressure, or 0."));
     (void)explicit_length();
     AssertThrow(
-        largest_penetration == 0. || characteristic_length != "shortest edge",
-        ExcMessage(
-            "'Largest penetration' is set and 'Characteristic length' is "
-            "'shortest edge'; the first sets the characteristic length to "
-            "its double. Remove one of them."));
+      largest_penetration == 0. || characteristic_length != "shortest edge",
+      ExcMessage("'Largest penetration' is set and 'Characteristic length' is "
+                 "'shortest edge'; the first sets the characteristic length to "
+                 "its double. Remove one of them."));
     AssertThrow(largest_share() <= 1.,
                 ExcMessage("'Largest penetration' exceeds 'Characteristic "
                            "length'; expected at most as much."));
@@ -265,8 +264,8 @@ namespace MortarContact
   {
     if (stiffness_side == "automatic")
       return (kind == Kind::forming_surface_to_surface) ?
-                 StiffnessSide::secondary :
-                 StiffnessSide::series;
+               StiffnessSide::secondary :
+               StiffnessSide::series;
     return (stiffness_side == "secondary") ? StiffnessSide::secondary :
                                              StiffnessSide::series;
   }
@@ -281,7 +280,7 @@ namespace MortarContact
       return 2. * largest_penetration;
     const bool   is_number = Patterns::Double(0.).match(characteristic_length);
     const double value =
-        is_number ? Utilities::string_to_double(characteristic_length) : 0.;
+      is_number ? Utilities::string_to_double(characteristic_length) : 0.;
     AssertThrow(value > 0.,
                 ExcMessage("'Characteristic length' is '" +
                            characteristic_length +
@@ -296,7 +295,7 @@ namespace MortarContact
   {
     const double length = explicit_length();
     return (largest_penetration > 0. && length > 0.) ?
-               largest_penetration / length :
-               0.5;
+             largest_penetration / length :
+             0.5;
   }
 } // namespace MortarContact

@@ -39,7 +39,7 @@ namespace
     for (unsigned int i = 0; i < pieces_s.n_pieces; ++i)
       for (unsigned int j = 0; j < pieces_p.n_pieces; ++j)
         sum +=
-            area(clip<3>(s, pieces_s.pieces[i], p, pieces_p.pieces[j], 1e-13));
+          area(clip<3>(s, pieces_s.pieces[i], p, pieces_p.pieces[j], 1e-13));
     return sum;
   }
 } // namespace
@@ -117,15 +117,15 @@ TEST(Clipping, AnyMeshThatCoversAFacetGivesItsArea)
           else
             {
               sum += overlap_area(
-                  4,
-                  s,
-                  3,
-                  {{grid[i][j], grid[i + 1][j], grid[i + 1][j + 1], {}}});
+                4,
+                s,
+                3,
+                {{grid[i][j], grid[i + 1][j], grid[i + 1][j + 1], {}}});
               sum += overlap_area(
-                  4,
-                  s,
-                  3,
-                  {{grid[i][j], grid[i + 1][j + 1], grid[i][j + 1], {}}});
+                4,
+                s,
+                3,
+                {{grid[i][j], grid[i + 1][j + 1], grid[i][j + 1], {}}});
             }
       EXPECT_NEAR(sum, 1., 1e-12);
     }

@@ -22,7 +22,7 @@ TEST(SimplexRule, IntegratesMonomialsUpToItsDegree)
                    std::pow(q.lambda[2], j);
           EXPECT_NEAR(sum,
                       std::tgamma(i + 1.) * std::tgamma(j + 1.) /
-                          std::tgamma(i + j + 3.),
+                        std::tgamma(i + j + 3.),
                       1e-14);
         }
   for (unsigned int degree = 2; degree <= 6; ++degree)

@@ -80,12 +80,12 @@ namespace
             }
       if (curved)
         GridTools::transform(
-            [](const Point<dim> &p) {
-              Point<dim> q = p;
-              q[dim - 1] += 0.03 * std::sin(3. * p[0]) * (1. + p[dim - 2]);
-              return q;
-            },
-            both);
+          [](const Point<dim> &p) {
+            Point<dim> q = p;
+            q[dim - 1] += 0.03 * std::sin(3. * p[0]) * (1. + p[dim - 2]);
+            return q;
+          },
+          both);
       tria.copy_triangulation(both);
       dof_handler.distribute_dofs(fe);
       constraints.close();
@@ -158,7 +158,7 @@ TEST(ContactInterface, SidesMayBeSwapped)
 {
   TwoBlocks<3>        blocks(0.02, 1, true);
   ContactInterface<3> one("i", {}, MPI_COMM_WORLD),
-      other("i", {}, MPI_COMM_WORLD);
+    other("i", {}, MPI_COMM_WORLD);
   blocks.add_to(one);
   blocks.add_to(other, true);
   const auto a = evaluate(blocks, one), b = evaluate(blocks, other);
@@ -337,12 +337,12 @@ TEST(ContactInterface, TrackedPenetrationsFollowTheOpening)
   p.initial_penetration   = InitialPenetration::track;
   const auto sigma = [](const double d) { return 0.1 * 500. * d * d / 0.12; };
   const auto pressure =
-      [&](ContactInterface<3> &c, const double up, const bool commit) {
-        c.update(lift(blocks, up));
-        if (commit)
-          c.commit(0.);
-        return -c.report().force[2] / 0.49;
-      };
+    [&](ContactInterface<3> &c, const double up, const bool commit) {
+      c.update(lift(blocks, up));
+      if (commit)
+        c.commit(0.);
+      return -c.report().force[2] / 0.49;
+    };
   ContactInterface<3> partly("i", p, MPI_COMM_WORLD);
   blocks.add_to(partly);
   EXPECT_NEAR(pressure(partly, 0., true), 0., 1e-13);
@@ -476,7 +476,7 @@ TEST(ContactInterface, UnusableInputIsRefusedInWords)
   try
     {
       contact.add_secondary(
-          blocks.dof_handler, blocks.mapping, boundary_ids({77}), one, "block");
+        blocks.dof_handler, blocks.mapping, boundary_ids({77}), one, "block");
       FAIL();
     }
   catch (const ExcMessage &e)

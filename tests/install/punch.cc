@@ -58,8 +58,9 @@ assemble_elasticity(const DoFHandler<dim>           &dof_handler,
         for (unsigned int i = 0; i < n; ++i)
           {
             const auto e_i = fe_values[displacement].symmetric_gradient(i, q);
-            const auto s_i = lambda * trace(e_i) * unit_symmetric_tensor<dim>() +
-                             2. * mu * e_i;
+            const auto s_i =
+              lambda * trace(e_i) * unit_symmetric_tensor<dim>() +
+              2. * mu * e_i;
             r(i) -= s_i * strain[q] * fe_values.JxW(q);
             for (unsigned int j = 0; j < n; ++j)
               K(i, j) += s_i *
@@ -79,10 +80,14 @@ main(int argc, char **argv)
   // block [0,3]x[0,1], punch [1,2]x[1,2]; ids: 1 base, 2 block's top, 7 punch's
   // foot, 8 punch's head
   Triangulation<dim> block, punch, tria;
-  GridGenerator::subdivided_hyper_rectangle(
-    block, {24, 8}, Point<dim>(0., 0.), Point<dim>(3., 1.));
-  GridGenerator::subdivided_hyper_rectangle(
-    punch, {7, 7}, Point<dim>(1., 1.), Point<dim>(2., 2.));
+  GridGenerator::subdivided_hyper_rectangle(block,
+                                            {24, 8},
+                                            Point<dim>(0., 0.),
+                                            Point<dim>(3., 1.));
+  GridGenerator::subdivided_hyper_rectangle(punch,
+                                            {7, 7},
+                                            Point<dim>(1., 1.),
+                                            Point<dim>(2., 2.));
   for (const auto &cell : punch.active_cell_iterators())
     cell->set_material_id(1);
   GridGenerator::merge_triangulations(block, punch, tria, 0.);
@@ -90,7 +95,7 @@ main(int argc, char **argv)
     for (const unsigned int f : cell->face_indices())
       if (cell->face(f)->at_boundary())
         {
-          const double y = cell->face(f)->center()[1];
+          const double y        = cell->face(f)->center()[1];
           const bool   is_punch = cell->material_id() == 1;
           if (y < 1e-10)
             cell->face(f)->set_boundary_id(1);
@@ -105,22 +110,22 @@ main(int argc, char **argv)
   DoFHandler<dim>     dof_handler(tria);
   dof_handler.distribute_dofs(fe);
 
-  MortarContact::ContactParameters     parameters;                 // contact
-  MortarContact::ContactInterface<dim> contact("punch on block",   // contact
-                                               parameters,         // contact
-                                               MPI_COMM_WORLD);    // contact
-  const auto modulus_of_cell = [](const auto &) {                  // contact
-    return MortarContact::bulk_contact_modulus(1000., 0.3);        // contact
-  };                                                               // contact
-  contact.add_secondary(dof_handler,                               // contact
-                        mapping,                                   // contact
-                        MortarContact::boundary_ids({2}),          // contact
-                        modulus_of_cell);                          // contact
-  contact.add_primary(dof_handler,                                 // contact
-                      mapping,                                     // contact
-                      MortarContact::boundary_ids({7}),            // contact
-                      modulus_of_cell);                            // contact
-  contact.setup();                                                 // contact
+  MortarContact::ContactParameters     parameters;               // contact
+  MortarContact::ContactInterface<dim> contact("punch on block", // contact
+                                               parameters,       // contact
+                                               MPI_COMM_WORLD);  // contact
+  const auto modulus_of_cell = [](const auto &) {                // contact
+    return MortarContact::bulk_contact_modulus(1000., 0.3);      // contact
+  };                                                             // contact
+  contact.add_secondary(dof_handler,                             // contact
+                        mapping,                                 // contact
+                        MortarContact::boundary_ids({2}),        // contact
+                        modulus_of_cell);                        // contact
+  contact.add_primary(dof_handler,                               // contact
+                      mapping,                                   // contact
+                      MortarContact::boundary_ids({7}),          // contact
+                      modulus_of_cell);                          // contact
+  contact.setup();                                               // contact
 
   Vector<double>       u(dof_handler.n_dofs()), du(u.size()), rhs(u.size());
   SparsityPattern      sparsity;
@@ -135,25 +140,25 @@ main(int argc, char **argv)
         dof_handler, 8, Functions::ConstantFunction<dim>(head), constraints);
       constraints.close();
 
-      contact.update(u);                                           // contact
-      if (contact.report().couplings_changed)                      // contact
+      contact.update(u);                      // contact
+      if (contact.report().couplings_changed) // contact
         {
           DynamicSparsityPattern dsp(dof_handler.n_dofs());
           DoFTools::make_sparsity_pattern(dof_handler, dsp, constraints, false);
-          contact.add_couplings(dsp, constraints);                 // contact
+          contact.add_couplings(dsp, constraints); // contact
           sparsity.copy_from(dsp);
           matrix.reinit(sparsity);
         }
       matrix = 0.;
       rhs    = 0.;
       assemble_elasticity(dof_handler, u, constraints, matrix, rhs);
-      contact.assemble(matrix, rhs, constraints);                  // contact
+      contact.assemble(matrix, rhs, constraints); // contact
 
       std::cout << "iteration " << iteration << "  residual " << rhs.l2_norm()
                 << std::endl;
       if (iteration > 0 && rhs.l2_norm() < 1e-9)
         {
-          contact.commit(1.);                                      // contact
+          contact.commit(1.); // contact
           std::cout << contact.report().brief() << std::endl;
           // balance, and bounds from springs in series: both columns laterally
           // free but no spreading (lower, with the penetration), plane strain

@@ -164,7 +164,7 @@ namespace
 
 
 class PairKernelShapes : public testing::TestWithParam<
-                             std::tuple<unsigned int, unsigned int, double>>
+                           std::tuple<unsigned int, unsigned int, double>>
 {};
 
 // Reference: tests/support/oracle.h differentiated by Sacado.
@@ -188,7 +188,7 @@ TEST_P(PairKernelShapes, TangentIsTheExactDerivativeOfTheDiscreteResidual)
           for (unsigned int i = 0; i < 24; ++i)
             {
               error_f =
-                  std::max(error_f, std::abs(block.residual[i] - ad[i].val()));
+                std::max(error_f, std::abs(block.residual[i] - ad[i].val()));
               for (unsigned int j = 0; j < 24; ++j)
                 {
                   error = std::max(error,
@@ -203,12 +203,12 @@ TEST_P(PairKernelShapes, TangentIsTheExactDerivativeOfTheDiscreteResidual)
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    TrianglesAndQuadrilaterals,
-    PairKernelShapes,
-    testing::Combine(testing::Values(3u, 4u),
-                     testing::Values(3u, 4u),
-                     // slight, and inside the angle weight's range
-                     testing::Values(0.05, 1.15)));
+  TrianglesAndQuadrilaterals,
+  PairKernelShapes,
+  testing::Combine(testing::Values(3u, 4u),
+                   testing::Values(3u, 4u),
+                   // slight, and inside the angle weight's range
+                   testing::Values(0.05, 1.15)));
 
 
 TEST(PairKernel, TangentIsTheDerivativeOfTheResidualByDifferences)
@@ -285,7 +285,7 @@ TEST(PairKernel, ForcesTurnWithTheFacets)
         {
           const Tensor<1, 3> fa({f[3 * a], f[3 * a + 1], f[3 * a + 2]});
           const Tensor<1, 3> fb(
-              {turned[3 * a], turned[3 * a + 1], turned[3 * a + 2]});
+            {turned[3 * a], turned[3 * a + 1], turned[3 * a + 2]});
           error = std::max(error, (Q * fa - fb).norm());
         }
       EXPECT_LT(error, 1e-12 * norm(f));
@@ -313,7 +313,7 @@ TEST(PairKernel, ForcesTurnWithTheFacets)
           EXPECT_LT(translation.norm(), 1e-11 * stiffness);
           const unsigned int a = i / 3;
           const Tensor<1, 3> fa(
-              {turned[3 * a], turned[3 * a + 1], turned[3 * a + 2]});
+            {turned[3 * a], turned[3 * a + 1], turned[3 * a + 2]});
           EXPECT_NEAR(rotated,
                       cross_product_3d(omega, fa)[i % 3],
                       1e-11 * stiffness);
@@ -331,7 +331,7 @@ TEST(PairKernel, UniformDepthOnPlaneFacetsGivesPressureTimesOverlap)
     {
       s.current.x[a] = Tensor<1, 3>({c[a][0], c[a][1], 0.});
       p.current.x[a] =
-          Tensor<1, 3>({c[3 - a][0] + 0.25, c[3 - a][1] + 0.5, -0.02});
+        Tensor<1, 3>({c[3 - a][0] + 0.25, c[3 - a][1] + 0.5, -0.02});
       s.length[a] = p.length[a] = 0.1;
       s.compliance[a] = p.compliance[a] = 0.1 / 1000.;
     }
@@ -342,7 +342,7 @@ TEST(PairKernel, UniformDepthOnPlaneFacetsGivesPressureTimesOverlap)
   const PairKernel<3> kernel(law, options);
   PairBlock<3>        block;
   kernel.evaluate_segments(
-      SecondaryFrame<3>(s.current), s, {}, p, 1., true, block);
+    SecondaryFrame<3>(s.current), s, {}, p, 1., true, block);
   // d = 0.02, x = 0.02/(0.03*0.1) = 6.67, f = 5.667, p = 0.1*0.03*1000 f = 17
   double force = 0.;
   for (unsigned int a = 0; a < 4; ++a)
@@ -360,7 +360,7 @@ TEST(PairKernel, LinearPenetrationIsIntegratedExactly)
   s.reference    = s.current;
   const double k = 0.001, d0 = 0.001;
   p.current.x = {
-      {Tensor<1, 2>({-1., -d0 + k}), Tensor<1, 2>({2., -d0 - 2. * k})}};
+    {Tensor<1, 2>({-1., -d0 + k}), Tensor<1, 2>({2., -d0 - 2. * k})}};
   s.length = p.length = {{0.1, 0.1}};
   s.compliance        = {{1e-4, 1e-4}};
   const PaperLaw law(PressureCurve::parabola_linear, 0.1);
@@ -378,7 +378,7 @@ TEST(PairKernel, LinearPenetrationIsIntegratedExactly)
   // p(d) = alpha eps K (d/(eps l))^2 / 4, d = d0 + k x on [0,1]
   const double factor = 0.1 * 0.03 * 1000. / 4. / (0.003 * 0.003);
   const double exact =
-      factor * (std::pow(d0 + k, 3) - std::pow(d0, 3)) / (3. * k);
+    factor * (std::pow(d0 + k, 3) - std::pow(d0, 3)) / (3. * k);
   EXPECT_NEAR(force, exact, 1e-13 * exact);
 }
 
@@ -394,14 +394,14 @@ TEST(PairKernel, ResidualOfAFixedPointIsTheGradientOfItsDepth)
   const PlanePoint<3> xi({0.4, 0.55});
   const auto          depth = [&](const Pair3d &q) {
     return kernel.hit(SecondaryFrame<3>(q.secondary.current), xi, q.primary)
-        ->depth;
+      ->depth;
   };
   const SecondaryFrame<3> frame(pair.secondary.current);
   const auto              hit = kernel.hit(frame, xi, pair.primary);
   ASSERT_TRUE(hit);
   PairBlock<3> block;
   kernel.add_fixed_point(
-      frame, pair.secondary, {}, pair.primary, xi, hit->eta, 1., false, block);
+    frame, pair.secondary, {}, pair.primary, xi, hit->eta, 1., false, block);
   const double h = 1e-5;
   for (unsigned int j = 0; j < 24; ++j)
     {

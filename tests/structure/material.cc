@@ -85,7 +85,7 @@ TEST_P(MaterialLaws, SmallStrainsFollowHooke)
   const auto r = material->evaluate(F);
   EXPECT_LT(r.P.norm(), 1e-14);
   const double lambda =
-      material->bulk_modulus - 2. / 3. * material->shear_modulus;
+    material->bulk_modulus - 2. / 3. * material->shear_modulus;
   EXPECT_NEAR(r.A[0][0][0][0], lambda + 2. * material->shear_modulus, 1e-12);
   EXPECT_NEAR(r.A[0][0][1][1], lambda, 1e-12);
   EXPECT_NEAR(r.A[0][1][0][1], material->shear_modulus, 1e-12);

@@ -357,8 +357,8 @@ namespace Oracle
           for (unsigned int b = 0; b < s.n; ++b)
             for (unsigned int i = 0; i < 3; ++i)
               f[3 * b + i] +=
-                  force *
-                  (N[b] * a[i] - dist * (pc[b] * by_p[i] + qc[b] * by_q[i]));
+                force *
+                (N[b] * a[i] - dist * (pc[b] * by_p[i] + qc[b] * by_q[i]));
           for (unsigned int b = 0; b < p.n; ++b)
             for (unsigned int i = 0; i < 3; ++i)
               f[12 + 3 * b + i] -= force * M[b] * a[i];

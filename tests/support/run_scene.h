@@ -27,8 +27,8 @@ namespace Test
     for (const std::string &entry : Utilities::split_string_list(entries, '|'))
       text += (entry.find('=') == std::string::npos ||
                entry.find('\n') != std::string::npos) ?
-                  entry + "\n" :
-                  "set " + entry + "\n";
+                entry + "\n" :
+                "set " + entry + "\n";
     return text + "end\n";
   }
 
@@ -98,7 +98,7 @@ namespace Test
   {
     const auto *info = testing::UnitTest::GetInstance()->current_test_info();
     std::string name =
-        std::string(info->test_suite_name()) + "." + info->name();
+      std::string(info->test_suite_name()) + "." + info->name();
     for (char &c : name)
       if (c == '/')
         c = '_';
@@ -113,7 +113,7 @@ namespace Test
     std::string used;
     const Scene scene = read_scene(source, used);
     auto        simulation =
-        std::make_unique<Simulation<dim>>(scene, used, MPI_COMM_WORLD, log);
+      std::make_unique<Simulation<dim>>(scene, used, MPI_COMM_WORLD, log);
     simulation->setup();
     return simulation;
   }

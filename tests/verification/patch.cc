@@ -10,7 +10,7 @@ using namespace Test;
 namespace
 {
   const std::string elastic =
-      "Law = linear elastic|Young's modulus = 1000|Poisson's ratio = 0.3";
+    "Law = linear elastic|Young's modulus = 1000|Poisson's ratio = 0.3";
 
   /// Largest deviation of any stress component of any cell from -1 in the
   /// direction @p n, 0 else.
@@ -59,14 +59,13 @@ namespace
            condition("side y",
                      "Body = lower|Boundary ids = 2|Type = symmetry") +
            condition(
-               "sides",
-               "Body = upper|Boundary ids = 5|x = 0.3e-3*x|y = 0.3e-3*y") +
+             "sides",
+             "Body = upper|Boundary ids = 5|x = 0.3e-3*x|y = 0.3e-3*y") +
            condition(
-               "load",
-               "Body = upper|Boundary ids = 5|Type = pressure|Pressure = 1") +
+             "load",
+             "Body = upper|Boundary ids = 5|Type = pressure|Pressure = 1") +
            interface(
-               "i",
-               "Secondary = lower: boundary 5|Primary = upper: boundary 4") +
+             "i", "Secondary = lower: boundary 5|Primary = upper: boundary 4") +
            solver();
   }
 
@@ -76,7 +75,7 @@ namespace
   // penetration under uniform pressure varies, and with it the stress. The
   // patch test is about integration: the same length everywhere.
   const std::string uniform_length =
-      interface("i", "Characteristic length = 0.5");
+    interface("i", "Characteristic length = 0.5");
 } // namespace
 
 
@@ -98,8 +97,8 @@ TEST(Patch, UniformStressOnPointsForMatchingMeshesOnly)
   // fixed points are exact where the meshes match ...
   const auto points = [](const std::string &lower, const std::string &upper) {
     return stress_error(*run<3>(
-                            stacked("Cells = " + lower, "Cells = " + upper) +
-                            interface("i", "Integration = points")),
+                          stacked("Cells = " + lower, "Cells = " + upper) +
+                          interface("i", "Integration = points")),
                         e_z);
   };
   EXPECT_LT(points("3,3,2", "3,3,2"), 1e-10);
@@ -112,10 +111,10 @@ TEST(Patch, UniformStressOnPointsForMatchingMeshesOnly)
 TEST(Patch, UniformStressOnTetrahedra)
 {
   const auto a =
-      run<3>(stacked("Cells = 3,3,2", "Cells = 4,4,2|Simplices = true"));
+    run<3>(stacked("Cells = 3,3,2", "Cells = 4,4,2|Simplices = true"));
   EXPECT_LT(stress_error(*a, e_z), 1e-10);
   const auto b =
-      run<3>(stacked("Cells = 3,3,2|Simplices = true", "Cells = 4,4,2"));
+    run<3>(stacked("Cells = 3,3,2|Simplices = true", "Cells = 4,4,2"));
   EXPECT_LT(stress_error(*b, e_z), 1e-10);
 }
 
@@ -123,7 +122,7 @@ TEST(Patch, UniformStressOnTetrahedra)
 TEST(Patch, UniformStressOnQuadraticFaces)
 {
   const auto a =
-      run<3>(stacked("Cells = 2,2,1", "Cells = 3,3,1", "Degree = 2"));
+    run<3>(stacked("Cells = 2,2,1", "Cells = 3,3,1", "Degree = 2"));
   EXPECT_LT(stress_error(*a, e_z), 1e-10);
   const auto b = run<3>(stacked("Cells = 2,2,1|Simplices = true",
                                 "Cells = 3,3,1|Simplices = true",
@@ -135,10 +134,10 @@ TEST(Patch, UniformStressOnQuadraticFaces)
 TEST(Patch, UniformStressWithHangingNodesOnTheFace)
 {
   const auto s = run<3>(
-      stacked(
-          "Cells = 3,3,2|Refine near = 0,0,1|Refine radius = 0.4|Local refinements = 1",
-          "Cells = 4,4,2") +
-      uniform_length);
+    stacked(
+      "Cells = 3,3,2|Refine near = 0,0,1|Refine radius = 0.4|Local refinements = 1",
+      "Cells = 4,4,2") +
+    uniform_length);
   EXPECT_LT(stress_error(*s, e_z), 1e-10);
 }
 
@@ -165,27 +164,26 @@ TEST(Patch, PartlyCoveredFaceWithTheSameLoadOnTheRest)
 {
   // THEORY T16: p on the free rest of the lower block's top
   const auto s = run<3>(
-      names("lower, upper", "base, x, y, ux, uy, load, rest", "i") +
-      body("lower",
-           "Lower corner = 0,0,0|Upper corner = 1,1,1|Cells = 4,4,2",
-           elastic) +
-      body("upper",
-           "Lower corner = 0,0,0.999|Upper corner = 0.75,0.75,2|Cells = 5,5,2",
-           elastic) +
-      condition("base", "Body = lower|Boundary ids = 4|Type = symmetry") +
-      condition("x", "Body = lower|Boundary ids = 0|Type = symmetry") +
-      condition("y", "Body = lower|Boundary ids = 2|Type = symmetry") +
-      condition("ux", "Body = upper|Boundary ids = 0|Type = symmetry") +
-      condition("uy", "Body = upper|Boundary ids = 2|Type = symmetry") +
-      condition("load",
-                "Body = upper|Boundary ids = 5|Type = traction|z = -1") +
-      condition("rest",
-                "Body = lower|Boundary ids = 5|Type = traction|"
-                "z = if(x<0.75, if(y<0.75, 0, -1), -1)") +
-      interface("i",
-                "Secondary = lower: boundary 5|Primary = upper: boundary 4|"
-                "Kind = forming surface to surface") +
-      solver());
+    names("lower, upper", "base, x, y, ux, uy, load, rest", "i") +
+    body("lower",
+         "Lower corner = 0,0,0|Upper corner = 1,1,1|Cells = 4,4,2",
+         elastic) +
+    body("upper",
+         "Lower corner = 0,0,0.999|Upper corner = 0.75,0.75,2|Cells = 5,5,2",
+         elastic) +
+    condition("base", "Body = lower|Boundary ids = 4|Type = symmetry") +
+    condition("x", "Body = lower|Boundary ids = 0|Type = symmetry") +
+    condition("y", "Body = lower|Boundary ids = 2|Type = symmetry") +
+    condition("ux", "Body = upper|Boundary ids = 0|Type = symmetry") +
+    condition("uy", "Body = upper|Boundary ids = 2|Type = symmetry") +
+    condition("load", "Body = upper|Boundary ids = 5|Type = traction|z = -1") +
+    condition("rest",
+              "Body = lower|Boundary ids = 5|Type = traction|"
+              "z = if(x<0.75, if(y<0.75, 0, -1), -1)") +
+    interface("i",
+              "Secondary = lower: boundary 5|Primary = upper: boundary 4|"
+              "Kind = forming surface to surface") +
+    solver());
   EXPECT_LT(stress_error(*s, e_z), 1e-10);
 }
 
@@ -195,23 +193,23 @@ TEST(Patch, UniformStressInAnyDirection)
   // the whole model turned about an oblique axis
   const std::string turn = "|Rotation axis = 1, 2, -0.5|Rotation angle = 77";
   const auto        s    = run<3>(
-      names("lower, upper", "base, x, y, ux, uy, load", "i") +
-      body("lower",
-           "Lower corner = 0,0,0|Upper corner = 1,1,1|Cells = 3,3,2" + turn,
-           elastic) +
-      body("upper",
-           "Lower corner = 0,0,0.999|Upper corner = 1,1,2|Cells = 4,4,2" + turn,
-           elastic) +
-      condition("base", "Body = lower|Boundary ids = 4|Type = symmetry") +
-      condition("x", "Body = lower|Boundary ids = 0|Type = symmetry") +
-      condition("y", "Body = lower|Boundary ids = 2|Type = symmetry") +
-      condition("ux", "Body = upper|Boundary ids = 0|Type = symmetry") +
-      condition("uy", "Body = upper|Boundary ids = 2|Type = symmetry") +
-      condition("load",
-                "Body = upper|Boundary ids = 5|Type = pressure|Pressure = 1") +
-      interface("i",
-                "Secondary = lower: boundary 5|Primary = upper: boundary 4") +
-      solver());
+    names("lower, upper", "base, x, y, ux, uy, load", "i") +
+    body("lower",
+         "Lower corner = 0,0,0|Upper corner = 1,1,1|Cells = 3,3,2" + turn,
+         elastic) +
+    body("upper",
+         "Lower corner = 0,0,0.999|Upper corner = 1,1,2|Cells = 4,4,2" + turn,
+         elastic) +
+    condition("base", "Body = lower|Boundary ids = 4|Type = symmetry") +
+    condition("x", "Body = lower|Boundary ids = 0|Type = symmetry") +
+    condition("y", "Body = lower|Boundary ids = 2|Type = symmetry") +
+    condition("ux", "Body = upper|Boundary ids = 0|Type = symmetry") +
+    condition("uy", "Body = upper|Boundary ids = 2|Type = symmetry") +
+    condition("load",
+              "Body = upper|Boundary ids = 5|Type = pressure|Pressure = 1") +
+    interface("i",
+              "Secondary = lower: boundary 5|Primary = upper: boundary 4") +
+    solver());
   Tensor<1, 3> axis({1., 2., -0.5});
   axis /= axis.norm();
   const double       a = 77. * numbers::PI / 180.;
@@ -229,25 +227,24 @@ TEST(Patch, UniformStressInPlaneStrain)
       {
         const std::string mesh = "|Simplices = " + simplices;
         const auto        s    = run<2>(
-            names("lower, upper", "base, x, ux, load", "i") +
-            body("lower",
-                 "Lower corner = 0,0|Upper corner = 1,1|Cells = 3,2" + mesh,
-                 elastic,
-                 more) +
-            body("upper",
-                 "Lower corner = 0,0.999|Upper corner = 1,2|Cells = 4,2" + mesh,
-                 elastic,
-                 more) +
-            condition("base", "Body = lower|Boundary ids = 2|Type = symmetry") +
-            condition("x", "Body = lower|Boundary ids = 0|Type = symmetry") +
-            condition("ux", "Body = upper|Boundary ids = 0|Type = symmetry") +
-            condition(
-                "load",
-                "Body = upper|Boundary ids = 3|Type = pressure|Pressure = 1") +
-            interface(
-                "i",
-                "Secondary = lower: boundary 3|Primary = upper: boundary 2") +
-            solver());
+          names("lower, upper", "base, x, ux, load", "i") +
+          body("lower",
+               "Lower corner = 0,0|Upper corner = 1,1|Cells = 3,2" + mesh,
+               elastic,
+               more) +
+          body("upper",
+               "Lower corner = 0,0.999|Upper corner = 1,2|Cells = 4,2" + mesh,
+               elastic,
+               more) +
+          condition("base", "Body = lower|Boundary ids = 2|Type = symmetry") +
+          condition("x", "Body = lower|Boundary ids = 0|Type = symmetry") +
+          condition("ux", "Body = upper|Boundary ids = 0|Type = symmetry") +
+          condition(
+            "load",
+            "Body = upper|Boundary ids = 3|Type = pressure|Pressure = 1") +
+          interface(
+            "i", "Secondary = lower: boundary 3|Primary = upper: boundary 2") +
+          solver());
         EXPECT_LT(stress_error(*s, Tensor<1, 3>({0., 1., 0.}), -0.3), 1e-10);
       }
 }
@@ -256,10 +253,10 @@ TEST(Patch, UniformStressInPlaneStrain)
 TEST(Patch, PressureOfALinearLawIsStiffnessTimesPenetration)
 {
   const auto s =
-      run<3>(stacked("Cells = 3,3,2", "Cells = 4,4,2") +
-             interface("i",
-                       "Law = linear|Characteristic length = 0.1|"
-                       "Stiffness = 1000|Stiffness side = secondary"));
+    run<3>(stacked("Cells = 3,3,2", "Cells = 4,4,2") +
+           interface("i",
+                     "Law = linear|Characteristic length = 0.1|"
+                     "Stiffness = 1000|Stiffness side = secondary"));
   // p = alpha K d / l  ->  d = 1 * 0.1 / (0.1 * 1000)
   EXPECT_NEAR(s->model.interfaces[0]->report().largest_penetration,
               1e-3,
@@ -276,23 +273,19 @@ TEST(Patch, FiniteStrainFollowsTheMaterialLaw)
   // b))/(a b). Both blocks and the contact's penetration share the motion, so
   // the stress of the stretch found must be the one found.
   const std::string rubber =
-      "Law = neo-Hookean|Young's modulus = 10|Poisson's ratio = 0.3";
+    "Law = neo-Hookean|Young's modulus = 10|Poisson's ratio = 0.3";
   const auto s = run<2>(
-      names("lower, upper", "base, x, ux, top", "i") +
-      body("lower",
-           "Lower corner = 0,0|Upper corner = 1,1|Cells = 3,2",
-           rubber) +
-      body("upper",
-           "Lower corner = 0,1|Upper corner = 1,2|Cells = 4,2",
-           rubber) +
-      condition("base", "Body = lower|Boundary ids = 2|Type = symmetry") +
-      condition("x", "Body = lower|Boundary ids = 0|Type = symmetry") +
-      condition("ux", "Body = upper|Boundary ids = 0|Type = symmetry") +
-      condition("top", "Body = upper|Boundary ids = 3|y = -0.6*t") +
-      interface("i",
-                "Secondary = lower: boundary 3|Primary = upper: boundary 2|"
-                "Stiffness scale = 100") +
-      solver(1e-12, 0.1));
+    names("lower, upper", "base, x, ux, top", "i") +
+    body("lower", "Lower corner = 0,0|Upper corner = 1,1|Cells = 3,2", rubber) +
+    body("upper", "Lower corner = 0,1|Upper corner = 1,2|Cells = 4,2", rubber) +
+    condition("base", "Body = lower|Boundary ids = 2|Type = symmetry") +
+    condition("x", "Body = lower|Boundary ids = 0|Type = symmetry") +
+    condition("ux", "Body = upper|Boundary ids = 0|Type = symmetry") +
+    condition("top", "Body = upper|Boundary ids = 3|y = -0.6*t") +
+    interface("i",
+              "Secondary = lower: boundary 3|Primary = upper: boundary 2|"
+              "Stiffness scale = 100") +
+    solver(1e-12, 0.1));
   const double mu = 10. / 2.6, lambda = 10. * 0.3 / (1.3 * 0.4);
   for (const std::string name : {"lower", "upper"})
     {
@@ -322,20 +315,20 @@ TEST(Patch, TwoBarsShareTheCompression)
   const double E1 = 1000., E2 = 300., u = 0.02;
   const double alpha_K = 0.1 * 500., l = 0.5, eps = 0.03;
   const auto   s = run<2>(
-      names("lower, upper", "base, top", "i") +
-      body("lower",
-           "Lower corner = 0,0|Upper corner = 1,1|Cells = 2,2",
-           "Law = linear elastic|Young's modulus = 1000|Poisson's ratio = 0") +
-      body("upper",
-           "Lower corner = 0,1|Upper corner = 1,3|Cells = 3,2",
-           "Law = linear elastic|Young's modulus = 300|Poisson's ratio = 0") +
-      condition("base", "Body = lower|Boundary ids = 2|x = 0|y = 0") +
-      condition("top", "Body = upper|Boundary ids = 3|x = 0|y = -0.02") +
-      interface("i",
-                "Secondary = lower: boundary 3|Primary = upper: boundary 2|"
-                  "Stiffness = 500|Characteristic length = 0.5|"
-                  "Stiffness side = secondary") +
-      solver());
+    names("lower, upper", "base, top", "i") +
+    body("lower",
+         "Lower corner = 0,0|Upper corner = 1,1|Cells = 2,2",
+         "Law = linear elastic|Young's modulus = 1000|Poisson's ratio = 0") +
+    body("upper",
+         "Lower corner = 0,1|Upper corner = 1,3|Cells = 3,2",
+         "Law = linear elastic|Young's modulus = 300|Poisson's ratio = 0") +
+    condition("base", "Body = lower|Boundary ids = 2|x = 0|y = 0") +
+    condition("top", "Body = upper|Boundary ids = 3|x = 0|y = -0.02") +
+    interface("i",
+              "Secondary = lower: boundary 3|Primary = upper: boundary 2|"
+                "Stiffness = 500|Characteristic length = 0.5|"
+                "Stiffness side = secondary") +
+    solver());
   const double p    = -s->model.interfaces[0]->report().force[1];
   const double bars = 1. / E1 + 2. / E2;
   // parabola: p = alpha K d^2 / (4 eps l^2) up to d = 2 eps l = 0.03

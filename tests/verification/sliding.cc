@@ -31,9 +31,9 @@ namespace
   }
 
   const std::string soft =
-      "Law = neo-Hookean|Young's modulus = 1e3|Poisson's ratio = 0.3";
+    "Law = neo-Hookean|Young's modulus = 1e3|Poisson's ratio = 0.3";
   const std::string stiff =
-      "Law = neo-Hookean|Young's modulus = 1e4|Poisson's ratio = 0.3";
+    "Law = neo-Hookean|Young's modulus = 1e4|Poisson's ratio = 0.3";
   const std::string steps = section("Steps", "End time = 2|First step = 0.1");
 } // namespace
 
@@ -41,47 +41,45 @@ namespace
 TEST(Sliding, PunchNeedsAtMostFiveIterationsIn2d)
 {
   EXPECT_LE(
-      most_iterations<2>(
-          names("block, punch", "base, top", "i") +
-          body("block",
-               "Lower corner = 0,0|Upper corner = 4,1|Cells = 40,10",
-               soft) +
-          body("punch",
-               "Lower corner = 1,1|Upper corner = 2,1.5|Cells = 14,7",
-               stiff) +
-          condition("base", "Body = block|Boundary ids = 2|x = 0|y = 0") +
-          condition("top",
-                    "Body = punch|Boundary ids = 3|x = if(t<1, 0, t-1)|"
-                    "y = if(t<1, -0.05*t, -0.05)") +
-          interface(
-              "i",
-              "Secondary = block: boundary 3|Primary = punch: boundary 0,1,2") +
-          solver(1e-10, 0.1) + steps),
-      5u);
+    most_iterations<2>(
+      names("block, punch", "base, top", "i") +
+      body("block",
+           "Lower corner = 0,0|Upper corner = 4,1|Cells = 40,10",
+           soft) +
+      body("punch",
+           "Lower corner = 1,1|Upper corner = 2,1.5|Cells = 14,7",
+           stiff) +
+      condition("base", "Body = block|Boundary ids = 2|x = 0|y = 0") +
+      condition("top",
+                "Body = punch|Boundary ids = 3|x = if(t<1, 0, t-1)|"
+                "y = if(t<1, -0.05*t, -0.05)") +
+      interface(
+        "i", "Secondary = block: boundary 3|Primary = punch: boundary 0,1,2") +
+      solver(1e-10, 0.1) + steps),
+    5u);
 }
 
 
 TEST(Sliding, PunchNeedsAtMostFiveIterationsIn3d)
 {
   EXPECT_LE(
-      most_iterations<3>(
-          names("block, punch", "base, top", "i") +
-          body("block",
-               "Lower corner = 0,0,0|Upper corner = 3,2,1|Cells = 12,8,4",
-               soft) +
-          body(
-              "punch",
-              "Lower corner = 0.6,0.6,1|Upper corner = 1.4,1.4,1.5|Cells = 5,5,3",
-              stiff) +
-          condition("base", "Body = block|Boundary ids = 4|x = 0|y = 0|z = 0") +
-          condition("top",
-                    "Body = punch|Boundary ids = 5|x = if(t<1, 0, t-1)|y = 0|"
-                    "z = if(t<1, -0.06*t, -0.06)") +
-          interface(
-              "i",
-              "Secondary = block: boundary 5|Primary = punch: boundary 0,1,2,3,4") +
-          solver(1e-10, 0.1) + steps),
-      5u);
+    most_iterations<3>(
+      names("block, punch", "base, top", "i") +
+      body("block",
+           "Lower corner = 0,0,0|Upper corner = 3,2,1|Cells = 12,8,4",
+           soft) +
+      body("punch",
+           "Lower corner = 0.6,0.6,1|Upper corner = 1.4,1.4,1.5|Cells = 5,5,3",
+           stiff) +
+      condition("base", "Body = block|Boundary ids = 4|x = 0|y = 0|z = 0") +
+      condition("top",
+                "Body = punch|Boundary ids = 5|x = if(t<1, 0, t-1)|y = 0|"
+                "z = if(t<1, -0.06*t, -0.06)") +
+      interface(
+        "i",
+        "Secondary = block: boundary 5|Primary = punch: boundary 0,1,2,3,4") +
+      solver(1e-10, 0.1) + steps),
+    5u);
 }
 
 
@@ -93,21 +91,21 @@ namespace
   {
     return names("lower, upper", "base, top", "i") +
            body(
-               "lower",
-               "Lower corner = 0,0|Upper corner = 1,1|Cells = 2,2",
-               "Law = linear elastic|Young's modulus = 1000|Poisson's ratio = 0") +
+             "lower",
+             "Lower corner = 0,0|Upper corner = 1,1|Cells = 2,2",
+             "Law = linear elastic|Young's modulus = 1000|Poisson's ratio = 0") +
            body(
-               "upper",
-               "Lower corner = 0,0.98|Upper corner = 1,2.98|Cells = 3,2",
-               "Law = linear elastic|Young's modulus = 300|Poisson's ratio = 0") +
+             "upper",
+             "Lower corner = 0,0.98|Upper corner = 1,2.98|Cells = 3,2",
+             "Law = linear elastic|Young's modulus = 300|Poisson's ratio = 0") +
            condition("base", "Body = lower|Boundary ids = 2|x = 0|y = 0") +
            condition("top", "Body = upper|Boundary ids = 3|x = 0|y = 0") +
            interface(
-               "i",
-               "Secondary = lower: boundary 3|Primary = upper: boundary 2|"
-               "Stiffness = 500|Characteristic length = 0.5|"
-               "Stiffness side = secondary|" +
-                   treatment) +
+             "i",
+             "Secondary = lower: boundary 3|Primary = upper: boundary 2|"
+             "Stiffness = 500|Characteristic length = 0.5|"
+             "Stiffness side = secondary|" +
+               treatment) +
            solver(1e-12, 0.25);
   }
 
@@ -118,7 +116,7 @@ namespace
     const double bars = 1. / 1000. + 2. / 300.;
     const double c    = 0.1 * 500. / (4. * 0.03 * 0.25);
     const double d =
-        (-1. + std::sqrt(1. + 4. * bars * c * overlap)) / (2. * bars * c);
+      (-1. + std::sqrt(1. + 4. * bars * c * overlap)) / (2. * bars * c);
     return c * d * d;
   }
 } // namespace
@@ -165,7 +163,7 @@ TEST(Invariance, UnitsAndRotationDoNotMatter)
     };
     const double      c = std::cos(angle), s = std::sin(angle);
     const std::string turn =
-        "|Rotation angle = " + n(angle * 180. / numbers::PI);
+      "|Rotation angle = " + n(angle * 180. / numbers::PI);
     const auto E = [&](const double e) {
       return "Law = neo-Hookean|Young's modulus = " + n(P * e) +
              "|Poisson's ratio = 0.3";
@@ -175,19 +173,18 @@ TEST(Invariance, UnitsAndRotationDoNotMatter)
     return names("block, punch", "base, top", "i", "p") +
            body("block",
                 "Lower corner = 0,0|Upper corner = " + corner(2, 1) +
-                    "|Cells = 16,8" + turn,
+                  "|Cells = 16,8" + turn,
                 E(1e9)) +
            body("punch",
                 "Lower corner = " + corner(0.5, 1) + "|Upper corner = " +
-                    corner(1.5, 1.5) + "|Cells = 10,5" + turn,
+                  corner(1.5, 1.5) + "|Cells = 10,5" + turn,
                 E(3e9)) +
            condition("base", "Body = block|Boundary ids = 2|x = 0|y = 0") +
            condition("top",
                      "Body = punch|Boundary ids = 3|x = " + n(ux) +
-                         "*t|y = " + n(uy) + "*t") +
+                       "*t|y = " + n(uy) + "*t") +
            interface(
-               "i",
-               "Secondary = block: boundary 3|Primary = punch: boundary 2") +
+             "i", "Secondary = block: boundary 3|Primary = punch: boundary 2") +
            probe("p",
                  "block",
                  n(L * (c * 1. - s * 1.)) + "," + n(L * (s * 1. + c * 1.))) +

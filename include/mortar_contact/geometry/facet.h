@@ -262,7 +262,7 @@ namespace MortarContact
     else
       return cross_product_3d(interpolate(facet, dN[0]),
                               interpolate(facet, dN[1]))
-          .norm();
+        .norm();
   }
 
 

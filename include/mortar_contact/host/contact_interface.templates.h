@@ -41,8 +41,8 @@ namespace MortarContact
   template <class SparsityType>
   void
   ContactInterface<dim>::add_couplings(
-      SparsityType                    &sparsity,
-      const AffineConstraints<double> &constraints)
+    SparsityType                    &sparsity,
+    const AffineConstraints<double> &constraints)
   {
     for (unsigned int i = 0; i < sweeps.size(); ++i)
       for (const auto &[s, p] : sweeps[i]->candidates())
@@ -58,9 +58,9 @@ namespace MortarContact
   template <class MatrixType, class VectorType>
   void
   ContactInterface<dim>::assemble(
-      MatrixType                      &matrix,
-      VectorType                      &rhs,
-      const AffineConstraints<double> &constraints) const
+    MatrixType                      &matrix,
+    VectorType                      &rhs,
+    const AffineConstraints<double> &constraints) const
   {
     Assert(pattern_is_current,
            ExcMessage("Pairs have come since the last add_couplings()."));
@@ -72,7 +72,7 @@ namespace MortarContact
         {
           distribute_pair(i, pair, true, pair_dofs, forces, tangent);
           constraints.distribute_local_to_global(
-              tangent, forces, pair_dofs, matrix, rhs);
+            tangent, forces, pair_dofs, matrix, rhs);
         }
   }
 
@@ -81,8 +81,8 @@ namespace MortarContact
   template <class VectorType>
   void
   ContactInterface<dim>::assemble(
-      VectorType                      &rhs,
-      const AffineConstraints<double> &constraints) const
+    VectorType                      &rhs,
+    const AffineConstraints<double> &constraints) const
   {
     std::vector<types::global_dof_index> pair_dofs;
     Vector<double>                       forces;
@@ -111,7 +111,7 @@ namespace MortarContact
     std::vector<Facet<dim>> moved[2];
     for (unsigned int side = 0; side < 2; ++side)
       moved[side] =
-          surfaces[side].moved([&](const auto dof) { return value(dof); });
+        surfaces[side].moved([&](const auto dof) { return value(dof); });
     values = from;
 
     double step = 1.;

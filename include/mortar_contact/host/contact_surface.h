@@ -72,7 +72,7 @@ namespace MortarContact
     serialize(Archive &archive, const unsigned int)
     {
       archive &n_vertices &vertices &label &face &subfacet &modulus &length
-          &shortest_edge &owner;
+        &shortest_edge &owner;
     }
   };
 
@@ -106,8 +106,8 @@ namespace MortarContact
 
     /// Where the facets would be with other displacements.
     std::vector<Facet<dim>>
-    moved(const std::function<double(types::global_dof_index)> &displacement)
-        const;
+    moved(
+      const std::function<double(types::global_dof_index)> &displacement) const;
 
     /// All dofs of all rows, sorted, without repetition.
     std::vector<types::global_dof_index>
@@ -125,9 +125,9 @@ namespace MortarContact
 
   private:
     Tensor<1, dim>
-    position(const SurfaceVertex<dim>                             &v,
-             const std::function<double(types::global_dof_index)> &displacement)
-        const;
+    position(
+      const SurfaceVertex<dim>                             &v,
+      const std::function<double(types::global_dof_index)> &displacement) const;
 
     std::vector<SurfaceVertex<dim>>                          vertices;
     std::vector<std::array<unsigned int, max_vertices<dim>>> facet_vertices;

@@ -42,8 +42,8 @@ namespace MortarContact
     operator()(const types::global_dof_index dof) const
     {
       const std::size_t r =
-          std::upper_bound(firsts.begin(), firsts.end(), dof) - firsts.begin() -
-          1;
+        std::upper_bound(firsts.begin(), firsts.end(), dof) - firsts.begin() -
+        1;
       return targets[r] + (dof - firsts[r]);
     }
 

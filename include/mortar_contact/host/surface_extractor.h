@@ -39,7 +39,7 @@ namespace MortarContact
   /// Contact modulus [Pa] of a cell, see bulk_contact_modulus().
   template <int dim>
   using ModulusOfCell = std::function<double(
-      const typename DoFHandler<dim>::active_cell_iterator &)>;
+    const typename DoFHandler<dim>::active_cell_iterator &)>;
 
   /**
    * Facets of the selected boundary faces of the locally owned cells.

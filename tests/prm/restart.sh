@@ -1,0 +1,51 @@
+#!/usr/bin/env bash
+# A run that is stopped and continued gives the numbers of one that is not; a
+# run that cannot go on ends with code 2 and a checkpoint that can be continued.
+#   restart.sh MPIEXEC DRIVER FILE.prm FOLDER CHECKER
+set -euo pipefail
+mpiexec=$1 driver=$2 file=$3 folder=$4 checker=$5
+rm -rf "$folder"
+mkdir -p "$folder"
+
+fail() {
+  echo "FAILED: $*" >&2
+  exit 1
+}
+
+run() { "$mpiexec" -n 2 "$driver" "$file" --quiet "$@"; }
+
+run --output "$folder/whole"
+run --output "$folder/parts" --set "Steps/Maximum steps=3"
+[ "$(wc -l < "$folder/parts/history.csv")" = 4 ] || fail "3 steps were asked for"
+run --restart "$folder/parts" --output "$folder/parts"
+"$checker" "$folder/parts/summary.json" "$folder/whole/summary.json" 1e-12 ||
+  fail "the continued run differs"
+cut -d, -f1-3,7- "$folder/whole/history.csv" | cut -d, -f1-2 > "$folder/a"
+cut -d, -f1-3,7- "$folder/parts/history.csv" | cut -d, -f1-2 > "$folder/b"
+cmp "$folder/a" "$folder/b" || fail "history.csv differs"
+
+# no convergence: code 2, the last good state is saved, and can be continued
+code=0
+run --output "$folder/hard" --set "Solver/Newton/Maximum iterations=1" \
+  --set "Steps/Smallest step=0.06" > /dev/null || code=$?
+[ "$code" = 2 ] || fail "exit code $code instead of 2"
+[ -f "$folder/hard/checkpoint/rank-0" ] || fail "no checkpoint was saved"
+grep -q '"no convergence"' "$folder/hard/summary.json" || fail "wrong status"
+run --restart "$folder/hard" --output "$folder/hard"
+"$checker" "$folder/hard/summary.json" "$folder/whole/summary.json" 1e-7 ||
+  fail "the rescued run differs"
+
+# damaged checkpoints are refused in words
+head -c 100 "$folder/whole/checkpoint/rank-0" > "$folder/short"
+cp -r "$folder/whole" "$folder/damaged"
+cp "$folder/short" "$folder/damaged/checkpoint/rank-0"
+code=0
+run --restart "$folder/damaged" --output "$folder/new" 2> "$folder/message" || code=$?
+[ "$code" = 1 ] || fail "exit code $code for a damaged checkpoint"
+grep -q "damaged or truncated" "$folder/message" || fail "$(cat "$folder/message")"
+code=0
+"$mpiexec" -n 1 "$driver" "$file" --quiet --restart "$folder/whole" \
+  --output "$folder/new" 2> "$folder/message" || code=$?
+[ "$code" = 1 ] || fail "exit code $code for another number of ranks"
+grep -q "2 ranks" "$folder/message" || fail "$(cat "$folder/message")"
+echo "restart: all as expected"

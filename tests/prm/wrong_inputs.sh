@@ -1,0 +1,101 @@
+#!/usr/bin/env bash
+# Wrong inputs: each must end with code 1 and a message that names the entry, or
+# what was found.
+#   wrong_inputs.sh CONTACT_SCENE RUBBER_FIT FOLDER_OF_PRM WORK_FOLDER
+set -uo pipefail
+scene=$1 fit=$2 prm=$3 work=$4
+rm -rf "$work"
+mkdir -p "$work"
+punch="$prm/tutorial/punch_2d.prm"
+ring="$prm/rubber_fit.prm"
+count=0
+failed=0
+
+# refuse 'WORDS' DRIVER ARGUMENTS...: WORDS, separated by |, must all be said
+refuse() {
+  local words=$1 code=0 message
+  shift
+  count=$((count + 1))
+  message=$("$@" --output "$work/out" 2>&1 > /dev/null) || code=$?
+  local ok=1
+  [ "$code" = 1 ] || ok=0
+  local IFS='|'
+  for word in $words; do
+    grep -qF -- "$word" <<< "$message" || ok=0
+  done
+  grep -q "Stacktrace" <<< "$message" && ok=0
+  if [ "$ok" = 0 ]; then
+    failed=$((failed + 1))
+    echo "FAILED (code $code, expected '$words'): $*"
+    echo "$message" | head -8
+  fi
+}
+
+b="Bodies/block" p="Bodies/punch" c="Contact/punch on block"
+set_punch() {
+  local words=$1
+  shift
+  local arguments=()
+  for setting in "$@"; do arguments+=(--set "$setting"); done
+  refuse "$words" "$scene" "$punch" "${arguments[@]}"
+}
+
+refuse "cannot be opened|nothing.prm" "$scene" "$work/nothing.prm"
+refuse "Driver|rubber_fit|contact_scene" "$scene" "$ring"
+refuse "--sett" "$scene" "$punch" --sett x=1
+refuse "No parameter file" "$scene"
+set_punch "Stifness scale" "$c/Stifness scale=1"
+set_punch "Contacts" "Contacts/Interfaces=a"
+set_punch "Stiffness scale|-1" "$c/Stiffness scale=-1"
+set_punch "Degree|7" "$c/Degree=7"
+set_punch "Kind|glued" "$c/Kind=glued"
+set_punch "Integration|lines" "$c/Integration=lines"
+set_punch "Characteristic length|long|shortest edge" "$c/Characteristic length=long"
+set_punch "Removal time|remove over time" "$c/Initial penetration=remove over time"
+set_punch "MPAR2|remove over time deep" "$c/Initial penetration=remove over time deep" "$c/Removal time=1"
+set_punch "Initial pressure|ignore" "$c/Initial pressure=3"
+set_punch "Largest penetration|shortest edge" "$c/Characteristic length=shortest edge" "$c/Largest penetration=0.1"
+set_punch "Secondary|blok|block" "$c/Secondary=blok"
+set_punch "Secondary|empty" "$c/Secondary="
+set_punch "Primary|boundary" "$c/Primary=punch: side 3"
+set_punch "punch on block|empty|secondary" "$c/Secondary=block: boundary 9"
+set_punch "Young's modulus|-5" "$b/Material/Young's modulus=-5"
+set_punch "Young's modulus|positive" "$b/Material/Young's modulus=0"
+set_punch "Poisson's ratio|0.5" "$b/Material/Poisson's ratio=0.5"
+set_punch "C10|Mooney-Rivlin" "$b/Material/C10=1"
+set_punch "Mean dilatation|neo-Hookean" "$b/Mean dilatation=yes"
+set_punch "Upper corner|Lower corner" "$b/Mesh/Upper corner=0, 1"
+set_punch "Cells|3" "$b/Mesh/Cells=3"
+set_punch "Cells|0" "$b/Mesh/Cells=3, 0"
+set_punch "File|missing.msh|cannot be opened" "$b/Mesh/Type=file" "$b/Mesh/File=missing.msh"
+set_punch "File|empty" "$b/Mesh/Type=file"
+set_punch "cylinder|Dimension" "$b/Mesh/Type=cylinder"
+set_punch "Boundary ids|8|base" "Boundary conditions/base/Boundary ids=8"
+set_punch "Body|blokc" "Boundary conditions/base/Body=blokc"
+set_punch "x|0*" "Boundary conditions/base/x=0*"
+set_punch "Type|Pressure" "Boundary conditions/base/Type=pressure"
+set_punch "base|top|x|2" "Boundary conditions/top/Body=block" "Boundary conditions/top/Boundary ids=2, 3"
+set_punch "z|Dimension" "Boundary conditions/base/z=0"
+set_punch "First step|Largest step" "Steps/Largest step=0.01"
+set_punch "Names|block|twice" "Bodies/Names=block, punch, block"
+set_punch "Bodies|empty" "Bodies/Names="
+set_punch "Section/Entry=value" "Steps"
+refuse "Outer radius|Inner radius" "$fit" "$ring" --set "Rubber/Outer radius=10"
+refuse "MPAR2|Deepest initial penetration|1.5" "$fit" "$ring" --set "Contact/Deepest initial penetration=1.0"
+refuse "Hardness|120" "$fit" "$ring" --set "Rubber/Hardness=120"
+refuse "checkpoint|no such file" "$scene" "$punch" --restart "$work/no_run"
+
+# a mesh file that is none
+echo "not a mesh" > "$work/bad.msh"
+set_punch "File|bad.msh|gmsh" "$b/Mesh/Type=file" "$b/Mesh/File=$work/bad.msh"
+# a folder that cannot be made
+: > "$work/file"
+count=$((count + 1))
+message=$("$scene" "$punch" --output "$work/file/below" 2>&1 > /dev/null)
+if [ $? != 1 ] || ! grep -q "Output/Directory" <<< "$message"; then
+  failed=$((failed + 1))
+  echo "FAILED: a folder that cannot be made: $message"
+fi
+
+echo "$((count - failed)) of $count wrong inputs were refused in words"
+[ "$failed" = 0 ]
