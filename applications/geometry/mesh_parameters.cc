@@ -106,7 +106,10 @@ namespace Structure
                   ExcMessage("'Mesh/First angle' and 'Mesh/Last angle' span " +
                              std::to_string(m.last_angle - m.first_angle) +
                              " degrees; expected more than 0, at most 360."));
-      const bool          closed = m.last_angle - m.first_angle > 360. - 1e-9;
+      const bool closed = m.last_angle - m.first_angle > 360. - 1e-9;
+      AssertThrow(!closed || cells_of<dim>(m)[0] >= 3,
+                  ExcMessage("'Mesh/Cells' has fewer than 3 cells around a "
+                             "closed ring; expected at least 3."));
       const RadiusFormula inner(m.inner_radius, "Inner radius");
       const RadiusFormula outer(m.outer_radius, "Outer radius");
       make_structured_mesh<dim>(
@@ -395,32 +398,50 @@ namespace Structure
     if (m.distortion > 0. && m.type != "box")
       GridTools::distort_random(m.distortion, mesh, true);
 
-    // Step 3: in its place. Manifolds that know the axis would not move along:
-    // vertices of later refinements are not needed any more.
-    if (m.rotation_angle != 0. || !m.move.empty())
+    // Step 3: in its place, manifolds too: elements of degree 2 get their
+    // middle nodes from them.
+    if (m.rotation_angle == 0. && m.move.empty())
+      return;
+    mesh.reset_all_manifolds();
+    const double angle = numbers::PI / 180. * m.rotation_angle;
+    Point<dim>   origin;
+    if (!m.move.empty())
+      origin = point_of<dim>(m.move, "Move");
+    Tensor<1, dim> z;
+    if constexpr (dim == 2)
+      GridTools::rotate(angle, mesh);
+    else
       {
-        mesh.reset_all_manifolds();
-        const double angle = numbers::PI / 180. * m.rotation_angle;
+        const Point<dim> given =
+          point_of<dim>(m.rotation_axis, "Rotation axis");
+        AssertThrow(given.norm() > 0.,
+                    ExcMessage("'Mesh/Rotation axis' is 0, 0, 0; expected a "
+                               "direction."));
+        const Tensor<1, 3> axis = given / given.norm();
         if (angle != 0.)
-          {
-            if constexpr (dim == 2)
-              GridTools::rotate(angle, mesh);
-            else
-              {
-                const Point<dim> axis =
-                  point_of<dim>(m.rotation_axis, "Rotation axis");
-                AssertThrow(axis.norm() > 0.,
-                            ExcMessage("'Mesh/Rotation axis' is 0, 0, 0; "
-                                       "expected a direction."));
-                GridTools::rotate(Tensor<1, 3>(axis / axis.norm()),
-                                  angle,
-                                  mesh);
-              }
-          }
-        if (!m.move.empty())
-          GridTools::shift(Tensor<1, dim>(point_of<dim>(m.move, "Move")), mesh);
+          GridTools::rotate(axis, angle, mesh);
+        // the axis of rings and cylinders, turned (Rodrigues)
+        z[2] = 1.;
+        z = std::cos(angle) * z + std::sin(angle) * cross_product_3d(axis, z) +
+            (1. - std::cos(angle)) * (axis * z) * axis;
+      }
+    GridTools::shift(Tensor<1, dim>(origin), mesh);
+    if (m.type == "ball" || m.type == "ball sector")
+      mesh.set_manifold(0, SphericalManifold<dim>(origin));
+    if constexpr (dim == 2)
+      {
+        if (m.type == "revolution")
+          mesh.set_manifold(1, PolarManifold<2>(origin));
+      }
+    else
+      {
+        if (m.type == "revolution")
+          mesh.set_manifold(1, CylindricalManifold<3>(z, origin));
+        if (m.type == "cylinder")
+          mesh.set_manifold(0, CylindricalManifold<3>(z, origin));
       }
   }
+
 
 
   template void

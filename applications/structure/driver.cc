@@ -8,8 +8,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include <chrono>
 #include <iostream>
 #include <sstream>
+#include <thread>
 
 namespace Structure
 {
@@ -29,13 +31,45 @@ namespace Structure
       return Utilities::trim(text);
     }
 
+    /**
+     * Say what went wrong, once. All ranks come here when all of them saw it;
+     * where only some did, the others wait for them somewhere else: then the
+     * run is aborted rather than left hanging.
+     */
+    ExitCode
+    fail(const ExitCode code, const std::string &message)
+    {
+      const unsigned int rank =
+        Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
+      if (rank == 0)
+        std::cerr << message << std::endl;
+      MPI_Request request;
+      int         all_here = 0;
+      MPI_Ibarrier(MPI_COMM_WORLD, &request);
+      for (unsigned int i = 0; i < 100 && all_here == 0; ++i)
+        {
+          MPI_Test(&request, &all_here, MPI_STATUS_IGNORE);
+          if (all_here == 0)
+            std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        }
+      if (all_here == 0)
+        {
+          if (rank != 0)
+            std::cerr << message << " (rank " << rank << ")" << std::endl;
+          MPI_Abort(MPI_COMM_WORLD, code);
+        }
+      return code;
+    }
+
+    /// @param stage What a failure means from now on.
     template <int dim>
     ExitCode
     run_scene(const Scene       &scene,
               const std::string &used,
               const std::string &restart,
               const bool         check_only,
-              Log               &log)
+              Log               &log,
+              ExitCode          &stage)
     {
       Simulation<dim> simulation(scene, used, MPI_COMM_WORLD, log);
       simulation.setup();
@@ -47,6 +81,7 @@ namespace Structure
         }
       if (!restart.empty())
         simulation.restart(restart);
+      stage = internal_error;
       return simulation.run();
     }
   } // namespace
@@ -111,24 +146,27 @@ namespace Structure
         Log         log(MPI_COMM_WORLD, quiet);
         log.line(driver.name + " " + source.file);
 
-        const ExitCode code = (scene.dimension == 2) ?
-                                run_scene<2>(scene, used, restart, check, log) :
-                                run_scene<3>(scene, used, restart, check, log);
+        const ExitCode code =
+          (scene.dimension == 2) ?
+            run_scene<2>(scene, used, restart, check, log, stage) :
+            run_scene<3>(scene, used, restart, check, log, stage);
         if (code == finished && !check && driver.finish)
           driver.finish(scene.output.directory, MPI_COMM_WORLD);
         return code;
       }
-    catch (const ExcInternalError &e)
+    catch (const ExcMessage &e)
       {
-        stage = internal_error;
-        if (is_root)
-          std::cerr << "Internal error: " << message_of(e) << std::endl;
+        return fail(wrong_input, "ERROR: " + message_of(e));
       }
     catch (const std::exception &e)
       {
-        if (is_root)
-          std::cerr << "ERROR: " << message_of(e) << std::endl;
+        return fail(stage,
+                    (stage == internal_error ? "Internal error: " : "ERROR: ") +
+                      message_of(e));
       }
-    return stage;
+    catch (...)
+      {
+        return fail(internal_error, "Internal error: unknown exception");
+      }
   }
 } // namespace Structure

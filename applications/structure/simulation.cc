@@ -464,8 +464,9 @@ namespace Structure
     const unsigned int rank   = Utilities::MPI::this_mpi_process(communicator);
     if (rank == 0)
       {
-        fs::remove_all(fresh);
-        fs::create_directories(fresh);
+        std::error_code error; // seen below, when nothing can be written
+        fs::remove_all(fresh, error);
+        fs::create_directories(fresh, error);
       }
     MPI_Barrier(communicator);
 
@@ -477,19 +478,24 @@ namespace Structure
     for (const auto i : model.owned_dofs())
       values.push_back(u(i));
     bool ok = false;
-    {
-      std::ofstream out(fresh + "/rank-" + std::to_string(rank),
-                        std::ios::binary);
+    try
       {
-        boost::archive::binary_oarchive archive(out);
-        archive &head &time &step &next_step &cut_backs &newton_iterations
-          &linear_iterations &values;
+        std::ofstream out(fresh + "/rank-" + std::to_string(rank),
+                          std::ios::binary);
+        {
+          boost::archive::binary_oarchive archive(out);
+          archive &head &time &step &next_step &cut_backs &newton_iterations
+            &linear_iterations &values;
+        }
+        for (const auto &interface : model.interfaces)
+          interface->save(out);
+        out.close();
+        ok = !out.fail();
       }
-      for (const auto &interface : model.interfaces)
-        interface->save(out);
-      out.close();
-      ok = !out.fail();
-    }
+    catch (const std::exception &)
+      {
+        ok = false; // boost throws where the disk is full
+      }
     AssertThrow(Utilities::MPI::min(ok ? 1 : 0, communicator) == 1,
                 ExcMessage("The checkpoint in '" + fresh +
                            "' cannot be written (disk full?). The previous one "
@@ -511,6 +517,7 @@ namespace Structure
     const std::string  file =
       directory + "/checkpoint/rank-" + std::to_string(rank);
     std::string failure;
+    bool        other_parameters = false;
     {
       std::ifstream        in(file, std::ios::binary);
       CheckpointHead       head;
@@ -546,6 +553,7 @@ namespace Structure
                 std::size_t i = 0;
                 for (const auto dof : model.owned_dofs())
                   u(dof) = values[i++];
+                other_parameters = head.parameters != used_parameters;
                 for (const auto &interface : model.interfaces)
                   interface->load(in);
               }
@@ -562,11 +570,18 @@ namespace Structure
                 ExcMessage("The checkpoint '" + file +
                            "' cannot be continued: " + failure + "."));
     u.compress(VectorOperation::insert);
-    if (directory == output.directory)
+    // the same folder by whatever name: its files are kept
+    std::error_code error;
+    const bool      same_folder = Utilities::MPI::broadcast(
+      communicator,
+      std::filesystem::equivalent(directory, output.directory, error));
+    if (same_folder)
       output.resume(time);
     else
       output.start(used_parameters);
-    log.open(output.directory + "/run.log", directory == output.directory);
+    log.open(output.directory + "/run.log", same_folder);
+    if (other_parameters)
+      log.line("NOTE: the parameters differ from those of the checkpoint.");
     (void)model.assemble(u, time, false);
     log.line("Restarted from '" + directory + "': step " +
              std::to_string(step) + ", time " + number(time));

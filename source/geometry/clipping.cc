@@ -3,6 +3,7 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace MortarContact
@@ -77,8 +78,10 @@ namespace MortarContact
           crossing.is_crossing = true;
           crossing.first       = from.edge;
           crossing.second      = line;
-          crossing.y    = from.y + d_from / (d_from - d_to) * (to.y - from.y);
-          crossing.edge = in ? line : from.edge;
+          // both ends may lie within the tolerance: never beyond the edge
+          const double t = std::min(1., std::max(0., d_from / (d_from - d_to)));
+          crossing.y     = from.y + t * (to.y - from.y);
+          crossing.edge  = in ? line : from.edge;
 
           bool              is_corner = false;
           const FacetVertex corner = common_vertex(from.edge, line, is_corner);

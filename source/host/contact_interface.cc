@@ -181,6 +181,13 @@ namespace MortarContact
   void
   ContactInterface<dim>::setup()
   {
+    // nothing of an earlier mesh must survive
+    partitioner.reset();
+    fetched_owned      = IndexSet();
+    pattern_is_current = false;
+    last_report        = ContactReport();
+    last_report.name   = name;
+
     for (unsigned int side = 0; side < 2; ++side)
       build_surface(side);
     dofs              = surfaces[0].dofs();
@@ -302,7 +309,8 @@ namespace MortarContact
   ContactInterface<dim>::fetch_owned(const IndexSet            &owned,
                                      const std::vector<double> &owned_values)
   {
-    const bool is_new = !partitioner || !(owned == fetched_owned);
+    const bool is_new = !partitioner || owned.size() != fetched_owned.size() ||
+                        !(owned == fetched_owned);
     if (Utilities::MPI::logical_or(is_new, communicator))
       {
         fetched_owned = owned;
@@ -623,9 +631,10 @@ namespace MortarContact
   ContactInterface<dim>::save(std::ostream &out) const
   {
     boost::archive::binary_oarchive archive(out);
-    archive                        &last_report.n_released;
+    const unsigned int              n = sweeps.size();
+    archive << n << last_report.n_released;
     for (const auto &sweep : sweeps)
-      archive & sweep->state();
+      archive << sweep->state();
   }
 
 
@@ -634,11 +643,14 @@ namespace MortarContact
   ContactInterface<dim>::load(std::istream &in)
   {
     boost::archive::binary_iarchive archive(in);
-    archive                        &last_report.n_released;
+    unsigned int                    n = 0;
+    archive >> n >> last_report.n_released;
+    AssertThrow(n == sweeps.size(),
+                ExcMessage("The saved state belongs to another interface."));
     for (const auto &sweep : sweeps)
       {
         ContactHistory<dim> history;
-        archive            &history;
+        archive >> history;
         sweep->restore(history);
       }
   }

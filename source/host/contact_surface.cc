@@ -27,6 +27,18 @@ namespace MortarContact
              std::tie(b.label.part, b.label.cell, b.face, b.subfacet);
     });
 
+    // a face that was selected twice counts once
+    facets.erase(
+      std::unique(
+        facets.begin(),
+        facets.end(),
+        [](const auto &a, const auto &b) {
+          return a.vertices[0].key() == b.vertices[0].key() &&
+                 std::tie(a.label.part, a.label.cell, a.face, a.subfacet) ==
+                   std::tie(b.label.part, b.label.cell, b.face, b.subfacet);
+        }),
+      facets.end());
+
     // Step 2: one number per vertex.
     const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
     std::map<types::global_dof_index, unsigned int> numbers;

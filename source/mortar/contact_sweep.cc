@@ -4,8 +4,11 @@
 #include <mortar_contact/search/broad_phase.h>
 #include <mortar_contact/search/pair_filter.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace MortarContact
 {
@@ -70,6 +73,18 @@ namespace MortarContact
         if (secondary.is_owned[f])
           owned.push_back(f);
       }
+    for (const auto &f : primary.facets)
+      {
+        largest_length_p = std::max(largest_length_p, largest(f));
+        largest_compliance_p =
+          std::max(largest_compliance_p,
+                   *std::max_element(f.compliance.begin(),
+                                     f.compliance.begin() +
+                                       f.current.n_vertices));
+      }
+    if (!secondary.facets.empty() && !primary.facets.empty())
+      surface_offset = std::abs(secondary.facets[0].surface_offset) +
+                       std::abs(primary.facets[0].surface_offset);
     margin =
       margin_share * sum / std::max<std::size_t>(1, secondary.facets.size());
   }
@@ -77,11 +92,29 @@ namespace MortarContact
 
   template <int dim>
   double
+  ContactSweep<dim>::longest(const unsigned int f) const
+  {
+    const ContactFacet<dim> &facet = secondary.facets[f];
+    const double             l_s   = largest(facet);
+    if (kernel.options.stiffness_side == StiffnessSide::secondary ||
+        largest_length_p <= l_s)
+      return l_s;
+    // grows with the primary's share
+    const double c_s =
+      *std::max_element(facet.compliance.begin(),
+                        facet.compliance.begin() + facet.current.n_vertices);
+    return in_series(c_s, l_s, largest_compliance_p, largest_length_p).length;
+  }
+
+
+
+  template <int dim>
+  double
   ContactSweep<dim>::reach(const unsigned int f) const
   {
-    return kernel.options.ceiling * largest(secondary.facets[f]) +
-           deepest_level;
+    return kernel.options.ceiling * longest(f) + deepest_level;
   }
+
 
 
   template <int dim>
@@ -122,7 +155,7 @@ namespace MortarContact
         for (unsigned int a = 0; a < searched_s[f].n_vertices; ++a)
           extend(box,
                  Tensor<1, dim>(searched_s[f].x[a] - reach(f) / w.norm() * w));
-        inflate(box, margin + std::abs(secondary.facets[f].surface_offset));
+        inflate(box, margin + surface_offset);
         for (const unsigned int p : broad_phase.find(box))
           if (filter.may_touch(f, p))
             pairs.emplace_back(f, p);
@@ -381,16 +414,19 @@ namespace MortarContact
         const unsigned int       f     = owned[o];
         const ContactFacet<dim> &facet = secondary.facets[f];
         const unsigned int       n     = facet.current.n_vertices;
-        const double             l     = largest(facet);
-        const double range = look_deeper * ((treatment.deepest > 0.) ?
-                                              treatment.deepest :
-                                              treatment.largest_share * l);
+        const double             l     = longest(f);
+        // at least as deep as contact will act
+        const double range =
+          std::max(kernel.options.ceiling * l,
+                   look_deeper * ((treatment.deepest > 0.) ?
+                                    treatment.deepest :
+                                    treatment.largest_share * l));
         const SecondaryFrame<dim> frame(facet.current);
         Box<dim>                  box = box_around(facet.current);
         for (unsigned int a = 0; a < n; ++a)
           for (const double by : {-range, l})
             extend(box, Tensor<1, dim>(facet.current.x[a] + by * frame.normal));
-        inflate(box, margin);
+        inflate(box, margin + surface_offset);
         std::vector<unsigned int> near = broad_phase.find(box);
         near.erase(std::remove_if(near.begin(),
                                   near.end(),
@@ -460,6 +496,10 @@ namespace MortarContact
   void
   ContactSweep<dim>::restore(const ContactHistory<dim> &saved)
   {
+    AssertThrow((saved.level.empty() || saved.level.size() == owned.size()) &&
+                  (saved.released.empty() ||
+                   saved.released.size() == owned.size()),
+                ExcMessage("The saved state belongs to another surface."));
     history       = saved;
     deepest_level = 0.;
     for (const VertexValues<dim> &levels : history.level)
@@ -503,7 +543,17 @@ namespace MortarContact
         if (!follows && !is_released(o))
           continue;
 
-        const FacetDepths depths = depths_of(f, near, reach(f));
+        // a released facet may have sunk out of reach: look at everything
+        if (is_released(o))
+          {
+            near.resize(primary.facets.size());
+            std::iota(near.begin(), near.end(), 0u);
+          }
+        const FacetDepths depths =
+          depths_of(f,
+                    near,
+                    is_released(o) ? std::numeric_limits<double>::max() :
+                                     reach(f));
         if (follows)
           for (unsigned int q = 0; q < depths.at_points.size(); ++q)
             {
@@ -564,6 +614,7 @@ namespace MortarContact
             advance =
               std::max(advance, n * (moved_s[f].x[a] - facet.current.x[a]));
           }
+        inflate(box, surface_offset);
         for (const unsigned int p : broad_phase.find(box))
           {
             if (!filter.face_each_other(f, p))

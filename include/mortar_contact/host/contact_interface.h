@@ -50,6 +50,11 @@ namespace MortarContact
                      const ContactParameters &parameters,
                      const MPI_Comm           communicator);
 
+    /// Sweeps refer to the surfaces: an interface stays where it is.
+    ContactInterface(const ContactInterface &) = delete;
+    ContactInterface &
+    operator=(const ContactInterface &) = delete;
+
     /**
      * Add boundary faces of a body to the secondary surface. Displacements are
      * the components of the finite element from @p first_component on, dofs are

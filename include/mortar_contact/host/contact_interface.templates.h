@@ -102,8 +102,9 @@ namespace MortarContact
   ContactInterface<dim>::largest_safe_step(const VectorType &u,
                                            const VectorType &du)
   {
-    // present positions are those of the last update(); fetch the moved ones
     fetch(u);
+    for (auto &surface : surfaces)
+      surface.move([&](const auto dof) { return value(dof); });
     const std::vector<double> from = values;
     fetch(du);
     for (std::size_t i = 0; i < values.size(); ++i)

@@ -189,6 +189,11 @@ namespace MortarContact
               const std::vector<unsigned int> &among,
               const double                     deepest) const;
 
+    /// Largest characteristic length that can act on a secondary facet.
+    double
+    longest(const unsigned int secondary_facet) const;
+
+    /// Largest depth at which the points of a secondary facet see anything.
     double
     reach(const unsigned int secondary_facet) const;
 
@@ -198,7 +203,10 @@ namespace MortarContact
     PairKernel<dim>    kernel;
     double             weight;
     double             margin; ///< Motion that candidates allow for [m].
-    double             deepest_level = 0.; ///< Of the history [m].
+    double             largest_length_p     = 0.; ///< Of the primary [m].
+    double             largest_compliance_p = 0.; ///< [m/Pa]
+    double             surface_offset       = 0.; ///< Of both sides [m].
+    double             deepest_level        = 0.; ///< Of the history [m].
 
     ContactHistory<dim>                                history;
     std::vector<unsigned int>                          owned;
