@@ -115,6 +115,9 @@ namespace Structure
       Names names;
       in_section(prm, {"Bodies"}, [&]() {
         names.bodies = names_of(prm, "Names");
+        AssertThrow(!names.bodies.empty(),
+                    ExcMessage("'Names' is empty; expected at least one "
+                               "name."));
       });
       in_section(prm, {"Boundary conditions"}, [&]() {
         names.conditions = names_of(prm, "Names");
@@ -530,9 +533,6 @@ namespace Structure
     std::vector<std::string> names;
     for (const auto &b : scene.bodies)
       names.push_back(b.name);
-    AssertThrow(!names.empty(),
-                ExcMessage("'Bodies/Names' is empty; expected at least one "
-                           "name."));
     const auto check = [&](const std::string &name, const std::string &entry) {
       AssertThrow(std::find(names.begin(), names.end(), name) != names.end(),
                   ExcMessage("'" + entry + "' names the body '" + name +

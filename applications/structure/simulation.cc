@@ -67,10 +67,9 @@ namespace Structure
                               Log               &log)
     : scene(scene)
     , communicator(communicator)
-    , timer(communicator,
-            std::cout,
-            TimerOutput::never,
-            TimerOutput::wall_times)
+    // of this rank: with a communicator it would complain on the terminal when
+    // an error in the input ends the run
+    , timer(std::cout, TimerOutput::never, TimerOutput::wall_times)
     , model(communicator, timer)
     , used_parameters(used_parameters)
     , log(log)
@@ -593,7 +592,9 @@ namespace Structure
   Simulation<dim>::write_summary(const std::string &status)
   {
     // wall times of all ranks, slowest, by name
-    const auto times = timer.get_summary_data(TimerOutput::total_wall_time);
+    auto times = timer.get_summary_data(TimerOutput::total_wall_time);
+    for (auto &[name, seconds] : times)
+      seconds = Utilities::MPI::max(seconds, communicator);
     Utilities::System::MemoryStats memory;
     Utilities::System::get_memory_stats(memory);
     const double peak =
