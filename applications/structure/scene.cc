@@ -64,6 +64,7 @@ namespace Structure
     {
       std::vector<std::string> names =
         Utilities::split_string_list(prm.get(entry));
+      names.erase(std::remove(names.begin(), names.end(), ""), names.end());
       for (std::size_t i = 0; i < names.size(); ++i)
         AssertThrow(std::count(names.begin(), names.end(), names[i]) == 1,
                     ExcMessage("'" + entry + "' has '" + names[i] +

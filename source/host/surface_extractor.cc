@@ -2,12 +2,14 @@
 #include <mortar_contact/host/surface_extractor.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
 
 #include <deal.II/fe/fe.h>
 
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <sstream>
 
 namespace MortarContact
 {
@@ -152,100 +154,115 @@ namespace MortarContact
     std::map<std::pair<unsigned int, unsigned int>, FacePattern> patterns;
     std::vector<SurfaceFacet<dim>>                               facets;
     std::vector<types::global_dof_index>                         dofs;
-    double shortest_edge = std::numeric_limits<double>::max();
-    for (const auto &cell : dof_handler.active_cell_iterators())
-      if (cell->is_locally_owned())
+    double     shortest_edge = std::numeric_limits<double>::max();
+    const auto extract       = [&](const auto &cell) {
+      for (unsigned int e = 0; e < cell->n_lines(); ++e)
+        shortest_edge = std::min(shortest_edge, cell->line(e)->diameter());
+      for (const unsigned int face : cell->face_indices())
         {
-          for (unsigned int e = 0; e < cell->n_lines(); ++e)
-            shortest_edge = std::min(shortest_edge, cell->line(e)->diameter());
-          for (const unsigned int face : cell->face_indices())
+          if (!is_selected(cell, face))
+            continue;
+
+          const FiniteElement<dim> &fe = cell->get_fe();
+          const FiniteElement<dim> &scalar =
+            fe.base_element(fe.component_to_base_index(first_component).first);
+          const auto key     = std::make_pair(cell->active_fe_index(), face);
+          auto       pattern = patterns.find(key);
+          if (pattern == patterns.end())
+            pattern =
+              patterns
+                .emplace(key,
+                         make_pattern(scalar,
+                                      cyclic_corners<dim>(cell, scalar, face)))
+                .first;
+
+          dofs.resize(fe.n_dofs_per_cell());
+          cell->get_dof_indices(dofs);
+
+          SurfaceFacet<dim> common;
+          common.label   = {part, cell->global_active_cell_index()};
+          common.face    = face;
+          common.modulus = modulus_of_cell(cell);
+          AssertThrow(common.modulus > 0.,
+                      ExcMessage("The contact modulus of cell " +
+                                 std::to_string(common.label.cell) + " of '" +
+                                 part + "' is " +
+                                 std::to_string(common.modulus) +
+                                 "; expected a positive number."));
+          double face_area = 0.;
+
+          std::vector<SurfaceFacet<dim>> of_face;
+          for (const auto &corners : pattern->second.facets)
             {
-              if (!is_selected(cell, face))
-                continue;
-
-              const FiniteElement<dim> &fe     = cell->get_fe();
-              const FiniteElement<dim> &scalar = fe.base_element(
-                fe.component_to_base_index(first_component).first);
-              const auto key = std::make_pair(cell->active_fe_index(), face);
-              auto       pattern = patterns.find(key);
-              if (pattern == patterns.end())
-                pattern =
-                  patterns
-                    .emplace(key,
-                             make_pattern(
-                               scalar, cyclic_corners<dim>(cell, scalar, face)))
-                    .first;
-
-              dofs.resize(fe.n_dofs_per_cell());
-              cell->get_dof_indices(dofs);
-
-              SurfaceFacet<dim> common;
-              common.label   = {part, cell->global_active_cell_index()};
-              common.face    = face;
-              common.modulus = modulus_of_cell(cell);
-              AssertThrow(common.modulus > 0.,
-                          ExcMessage("The contact modulus of cell " +
-                                     std::to_string(common.label.cell) +
-                                     " of '" + part + "' is " +
-                                     std::to_string(common.modulus) +
-                                     "; expected a positive number."));
-              double face_area = 0.;
-
-              std::vector<SurfaceFacet<dim>> of_face;
-              for (const auto &corners : pattern->second.facets)
+              SurfaceFacet<dim> facet = common;
+              facet.subfacet          = of_face.size();
+              facet.n_vertices        = corners.size();
+              Facet<dim> reference;
+              reference.n_vertices = corners.size();
+              for (unsigned int a = 0; a < corners.size(); ++a)
                 {
-                  SurfaceFacet<dim> facet = common;
-                  facet.subfacet          = of_face.size();
-                  facet.n_vertices        = corners.size();
-                  Facet<dim> reference;
-                  reference.n_vertices = corners.size();
-                  for (unsigned int a = 0; a < corners.size(); ++a)
+                  SurfaceVertex<dim> &v = facet.vertices[a];
+                  for (const auto &[k, weight] :
+                       pattern->second.vertices[corners[a]])
                     {
-                      SurfaceVertex<dim> &v = facet.vertices[a];
-                      for (const auto &[k, weight] :
-                           pattern->second.vertices[corners[a]])
-                        {
-                          typename SurfaceVertex<dim>::Entry entry;
-                          entry.weight = weight;
-                          for (unsigned int i = 0; i < dim; ++i)
-                            entry.dofs[i] =
-                              numbering(dofs[fe.component_to_system_index(
-                                first_component + i, k)]);
-                          v.row.push_back(entry);
-                          v.reference +=
-                            weight * mapping.transform_unit_to_real_cell(
-                                       cell, scalar.unit_support_point(k));
-                        }
-                      reference.x[a] = v.reference;
+                      typename SurfaceVertex<dim>::Entry entry;
+                      entry.weight = weight;
+                      for (unsigned int i = 0; i < dim; ++i)
+                        entry.dofs[i] = numbering(
+                          dofs[fe.component_to_system_index(first_component + i,
+                                                            k)]);
+                      v.row.push_back(entry);
+                      v.reference +=
+                        weight * mapping.transform_unit_to_real_cell(
+                                   cell, scalar.unit_support_point(k));
                     }
-
-                  // outward
-                  const Tensor<1, dim> w = centre_normal(reference);
-                  if (w * (centre(reference) - cell->center()) < 0.)
-                    std::reverse(facet.vertices.begin(),
-                                 facet.vertices.begin() + facet.n_vertices);
-                  face_area += area(reference);
-                  of_face.push_back(facet);
+                  reference.x[a] = v.reference;
                 }
 
-              // height of the cell over the face: V/A, for simplices dim V/A
-              const bool is_simplex =
-                cell->reference_cell().n_vertices() == dim + 1;
-              const double length =
-                (is_simplex ? dim : 1.) * cell->measure() / face_area;
-              AssertThrow(length > 0.,
-                          ExcMessage("Cell " +
-                                     std::to_string(common.label.cell) +
-                                     " of '" + part +
-                                     "' has no positive volume: the mesh is "
-                                     "inside out or degenerate there."));
-              for (auto &facet : of_face)
-                {
-                  facet.length = length;
-                  facets.push_back(facet);
-                }
+              // outward
+              const Tensor<1, dim> w = centre_normal(reference);
+              if (w * (centre(reference) - cell->center()) < 0.)
+                std::reverse(facet.vertices.begin(),
+                             facet.vertices.begin() + facet.n_vertices);
+              face_area += area(reference);
+              of_face.push_back(facet);
+            }
+
+          // height of the cell over the face: V/A, for simplices dim V/A
+          const bool is_simplex =
+            cell->reference_cell().n_vertices() == dim + 1;
+          const double length =
+            (is_simplex ? dim : 1.) * cell->measure() / face_area;
+          AssertThrow(length > 0.,
+                      ExcMessage("Cell " + std::to_string(common.label.cell) +
+                                 " of '" + part +
+                                 "' has no positive volume: the mesh is "
+                                       "inside out or degenerate there."));
+          for (auto &facet : of_face)
+            {
+              facet.length = length;
+              facets.push_back(facet);
             }
         }
+    };
+
+    // What is wrong on one rank all ranks must say: none may be left waiting.
+    std::string failure;
+    try
+      {
+        for (const auto &cell : dof_handler.active_cell_iterators())
+          if (cell->is_locally_owned())
+            extract(cell);
+      }
+    catch (const ExceptionBase &e)
+      {
+        std::ostringstream info;
+        e.print_info(info);
+        failure = Utilities::trim(info.str());
+      }
+    for (const std::string &f :
+         Utilities::MPI::all_gather(communicator, failure))
+      AssertThrow(f.empty(), ExcMessage(f));
 
     shortest_edge = Utilities::MPI::min(shortest_edge, communicator);
     for (auto &facet : facets)
