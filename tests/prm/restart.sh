@@ -32,7 +32,7 @@ run --output "$folder/hard" --set "Solver/Newton/Maximum iterations=1" \
 [ -f "$folder/hard/checkpoint/rank-0" ] || fail "no checkpoint was saved"
 grep -q '"no convergence"' "$folder/hard/summary.json" || fail "wrong status"
 run --restart "$folder/hard" --output "$folder/hard"
-"$checker" "$folder/hard/summary.json" "$folder/whole/summary.json" 1e-7 ||
+"$checker" "$folder/hard/summary.json" "$folder/whole/summary.json" 1e-7 any-steps ||
   fail "the rescued run differs"
 
 # damaged checkpoints are refused in words
