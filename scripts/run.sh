@@ -25,7 +25,8 @@ fi
 install_missing $build_packages
 build "$root/build" Release "$driver" -- -DMORTAR_CONTACT_TESTS=OFF
 
-ranks=${RANKS:-$(nproc)}
+# nproc listens to OMP_NUM_THREADS
+ranks=${RANKS:-$(env -u OMP_NUM_THREADS nproc)}
 [ -z "${RANKS:-}" ] && [ "$ranks" -gt 2 ] && ranks=2
 status=0
 mpirun -np "$ranks" "$root/build/$driver" "$@" || status=$?
