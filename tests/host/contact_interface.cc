@@ -169,19 +169,8 @@ TEST(ContactInterface, SidesMayBeSwapped)
 }
 
 
-TEST(ContactInterface, TheSameOnAnyNumberOfRanks)
+TEST(ContactInterface, FlatBlocksGiveTheClosedFormOnAnyNumberOfRanks)
 {
-  // reference: what one rank gives, computed by every rank for itself
-  TwoBlocks<3>        blocks(0.02, 1, true);
-  ContactInterface<3> contact("i", {}, MPI_COMM_WORLD);
-  blocks.add_to(contact);
-  const auto r = evaluate(blocks, contact);
-
-  auto forces = blocks.vector();
-  contact.assemble(forces, blocks.constraints);
-  forces.compress(VectorOperation::add);
-  const double norm = forces.l2_norm();
-
   // flat blocks have a closed form for the resultant: pressure times area, so
   // the numbers do not come from the code alone
   TwoBlocks<3>      flat(0.01);
@@ -196,13 +185,8 @@ TEST(ContactInterface, TheSameOnAnyNumberOfRanks)
   EXPECT_NEAR(f.force[2], -7. * 0.49, 1e-12);
   EXPECT_NEAR(f.active_area, 0.49, 1e-13);
   EXPECT_NEAR(f.moment[0], -7. * 0.49 * 0.45, 1e-12);
-
-  // measured on one rank, kept to see that the others agree with it
-  EXPECT_NEAR(norm / r.force.norm(), 0.3, 0.2);
-  std::vector<double> norms = Utilities::MPI::all_gather(MPI_COMM_WORLD, norm);
-  for (const double n : norms)
-    EXPECT_EQ(n, norm);
 }
+
 
 
 TEST(ContactInterface, SerialMatricesOfDealII)
