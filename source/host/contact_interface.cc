@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <mortar_contact/host/contact_interface.h>
 #include <mortar_contact/laws/law_library.h>
+#include <mortar_contact/laws/paper_law.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>
@@ -12,7 +13,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
+#include <map>
+#include <set>
 #include <sstream>
 
 namespace MortarContact
@@ -21,40 +23,6 @@ namespace MortarContact
   {
     const char *const side_names[2] = {"secondary", "primary"};
 
-    template <int dim>
-    Tensor<1, 3>
-    in_space(const Tensor<1, dim> &v)
-    {
-      Tensor<1, 3> result;
-      for (unsigned int i = 0; i < dim; ++i)
-        result[i] = v[i];
-      return result;
-    }
-
-    /// Vertex components of a pair's residual as vectors, with the positions.
-    template <int dim, class Function>
-    void
-    for_each_force(const Skin<dim>                              &secondary,
-                   const Skin<dim>                              &primary,
-                   const typename ContactSweep<dim>::ActivePair &pair,
-                   const Function                               &function)
-    {
-      for (unsigned int side = 0; side < 2; ++side)
-        {
-          const Facet<dim> &facet = (side == 0) ?
-                                      secondary.facets[pair.secondary].current :
-                                      primary.facets[pair.primary].current;
-          for (unsigned int a = 0; a < facet.n_vertices; ++a)
-            {
-              Tensor<1, dim> force;
-              for (unsigned int i = 0; i < dim; ++i)
-                force[i] =
-                  -pair.block
-                     .residual[side * max_facet_components<dim> + a * dim + i];
-              function(side, in_space(facet.x[a]), in_space(force));
-            }
-        }
-    }
   } // namespace
 
 
@@ -72,7 +40,10 @@ namespace MortarContact
       make_pressure_law(parameters.law,
                         parameters.stiffness_scale * parameters.penalty_factor,
                         parameters.progressive_stiffening,
-                        parameters.largest_share());
+                        parameters.largest_share(),
+                        parameters.release ==
+                          ContactParameters::Release::never);
+    friction = parameters.friction.make();
   }
 
 
@@ -87,6 +58,7 @@ namespace MortarContact
                              const DoFNumbering       &numbering,
                              const unsigned int        first_component)
   {
+    begin_adding();
     const std::vector<SurfaceFacet<dim>> facets =
       extract_surface<dim>(dof_handler,
                            mapping,
@@ -150,6 +122,97 @@ namespace MortarContact
 
   template <int dim>
   void
+  ContactInterface<dim>::begin_adding()
+  {
+    if (!is_set_up)
+      return;
+    is_set_up = false;
+    obstacle.reset();
+    rigid_bodies.clear();
+    n_rigid_vertices = 0;
+    for (auto &surface : surfaces)
+      surface.rigid_bodies.clear();
+  }
+
+
+  template <int dim>
+  void
+  ContactInterface<dim>::add_rigid(const unsigned int                     side,
+                                   const std::shared_ptr<RigidBody<dim>> &body)
+  {
+    begin_adding();
+    rigid_bodies.push_back(body);
+    if (body->surface)
+      {
+        AssertThrow(side == 1,
+                    ExcMessage("Interface '" + name + "': the rigid body '" +
+                               body->name +
+                               "' has a smooth surface without facets and can "
+                               "be primary only."));
+        AssertThrow(!obstacle,
+                    ExcMessage("Interface '" + name + "': '" + obstacle->name +
+                               "' and '" + body->name +
+                               "' are both primary; a rigid body with a smooth "
+                               "surface must be the only primary. Expected one "
+                               "interface for each."));
+        obstacle = body;
+        return;
+      }
+    // each rank brings its share
+    const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator);
+    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+    auto              &all     = surfaces[side].rigid_bodies;
+    all.push_back(body);
+    for (unsigned int f = 0; f < body->facets.size(); ++f)
+      if (f * n_ranks / body->facets.size() == rank)
+        {
+          SurfaceFacet<dim> facet;
+          facet.n_vertices = body->facets[f].size();
+          facet.label      = {body->name, f};
+          for (unsigned int a = 0; a < facet.n_vertices; ++a)
+            {
+              const unsigned int v           = body->facets[f][a];
+              facet.vertices[a].reference    = body->vertices[v];
+              facet.vertices[a].rigid_body   = all.size() - 1;
+              facet.vertices[a].rigid_vertex = n_rigid_vertices + v;
+            }
+          extracted[side].push_back(facet);
+        }
+    n_rigid_vertices += body->vertices.size();
+  }
+
+
+  template <int dim>
+  void
+  ContactInterface<dim>::add_secondary(
+    const std::shared_ptr<RigidBody<dim>> &body)
+  {
+    add_rigid(0, body);
+  }
+
+
+  template <int dim>
+  void
+  ContactInterface<dim>::add_primary(
+    const std::shared_ptr<RigidBody<dim>> &body)
+  {
+    add_rigid(1, body);
+  }
+
+
+  template <int dim>
+  void
+  ContactInterface<dim>::set_friction_law(std::unique_ptr<FrictionLaw> own)
+  {
+    AssertThrow(parameters.kind != ContactParameters::Kind::tied,
+                ExcMessage("Interface '" + name +
+                           "': a tied interface cannot slip."));
+    friction = std::move(own);
+  }
+
+
+  template <int dim>
+  void
   ContactInterface<dim>::build_surface(const unsigned int side)
   {
     AssertThrow(Utilities::MPI::sum(extracted[side].size(), communicator) > 0,
@@ -163,17 +226,136 @@ namespace MortarContact
       parameters.characteristic_length == "shortest edge";
     stiffness.offset =
       (side == 0) ? parameters.secondary_offset : parameters.primary_offset;
-    surfaces[side].build(std::move(extracted[side]), stiffness, communicator);
-    extracted[side].clear();
+    surfaces[side].build(extracted[side], stiffness, communicator);
 
-    InitialReport &initial        = last_report.initial;
-    const auto    &K              = surfaces[side].cell_modulus;
-    const auto    &l              = surfaces[side].cell_length;
-    initial.n_side_facets[side]   = K.size();
-    initial.lowest_modulus[side]  = *std::min_element(K.begin(), K.end());
-    initial.highest_modulus[side] = *std::max_element(K.begin(), K.end());
-    initial.lowest_length[side]   = *std::min_element(l.begin(), l.end());
-    initial.highest_length[side]  = *std::max_element(l.begin(), l.end());
+    // rigid facets have neither modulus nor length
+    InitialReport &initial      = last_report.initial;
+    initial.n_side_facets[side] = surfaces[side].skin.facets.size();
+    const auto range =
+      [](const std::vector<double> &values, double &lowest, double &highest) {
+        lowest = highest = 0.;
+        for (const double v : values)
+          if (v > 0.)
+            {
+              lowest  = (lowest == 0.) ? v : std::min(lowest, v);
+              highest = std::max(highest, v);
+            }
+      };
+    range(surfaces[side].cell_modulus,
+          initial.lowest_modulus[side],
+          initial.highest_modulus[side]);
+    range(surfaces[side].cell_length,
+          initial.lowest_length[side],
+          initial.highest_length[side]);
+  }
+
+
+  template <int dim>
+  void
+  ContactInterface<dim>::check_tool_normals()
+  {
+    // Angles this close to tangential say nothing, as a cosine.
+    constexpr double          judged  = 0.3;
+    InitialReport            &initial = last_report.initial;
+    ContactSurface<dim>      &tool    = surfaces[1];
+    std::vector<unsigned int> wrong;
+    for (unsigned int p = 0; p < tool.skin.facets.size(); ++p)
+      {
+        if (!tool.vertex(p, 0).row.empty())
+          continue; // faces of solids point outwards
+        const Facet<dim>    &facet = tool.skin.facets[p].current;
+        const Tensor<1, dim> c     = centre(facet);
+        Tensor<1, dim>       to_blank;
+        double               nearest = std::numeric_limits<double>::max();
+        for (const auto &s : surfaces[0].skin.facets)
+          {
+            const Tensor<1, dim> r = centre(s.current) - c;
+            if (r.norm_square() < nearest)
+              {
+                nearest  = r.norm_square();
+                to_blank = r;
+              }
+          }
+        const Tensor<1, dim> w = centre_normal(facet);
+        if (w * to_blank < -judged * w.norm() * to_blank.norm())
+          wrong.push_back(p);
+      }
+    if (wrong.empty())
+      return;
+
+    // A closed body whose normals point outwards is right, also where its far
+    // side points away from the blank.
+    std::map<unsigned int, double> volume;
+    for (unsigned int p = 0; p < tool.skin.facets.size(); ++p)
+      if (tool.vertex(p, 0).row.empty())
+        volume[tool.vertex(p, 0).rigid_body] += 0.;
+    std::map<unsigned int, std::map<std::set<unsigned int>, int>> ridges;
+    for (unsigned int p = 0; p < tool.skin.facets.size(); ++p)
+      if (tool.vertex(p, 0).row.empty())
+        {
+          const unsigned int n = tool.skin.facets[p].current.n_vertices;
+          for (unsigned int a = 0; a < n; ++a)
+            {
+              std::set<unsigned int> ridge = {tool.skin.vertices[p][a]};
+              if (dim == 3)
+                ridge.insert(tool.skin.vertices[p][(a + 1) % n]);
+              ++ridges[tool.vertex(p, 0).rigid_body][ridge];
+            }
+          volume[tool.vertex(p, 0).rigid_body] +=
+            centre(tool.skin.facets[p].current) *
+            centre_normal(tool.skin.facets[p].current);
+        }
+    std::set<unsigned int> fine;
+    for (const auto &[body, of_body] : ridges)
+      if (volume[body] > 0. &&
+          std::all_of(of_body.begin(), of_body.end(), [](const auto &r) {
+            return r.second == 2;
+          }))
+        fine.insert(body);
+    wrong.erase(std::remove_if(wrong.begin(),
+                               wrong.end(),
+                               [&](const unsigned int p) {
+                                 return fine.count(
+                                          tool.vertex(p, 0).rigid_body) > 0;
+                               }),
+                wrong.end());
+    if (wrong.empty())
+      return;
+
+    if (parameters.tool_normals == ContactParameters::ToolNormals::check)
+      {
+        std::ostringstream message;
+        message
+          << "Interface '" << name << "': the normals of " << wrong.size()
+          << " facets of the tool do not point to the blank, the first is "
+          << "facet " << tool.labels[wrong[0]].cell << " of '"
+          << tool.labels[wrong[0]].part << "' at ("
+          << centre(tool.skin.facets[wrong[0]].current)
+          << "). Turn them in the mesh, or set 'Tool normals' to 'turn'.";
+        AssertThrow(false, ExcMessage(message.str()));
+      }
+    initial.n_turned = wrong.size();
+    for (auto &facet : extracted[1])
+      for (const unsigned int p : wrong)
+        if (facet.vertices[0].row.empty() &&
+            facet.label.part == tool.labels[p].part &&
+            facet.label.cell == tool.labels[p].cell)
+          std::reverse(facet.vertices.begin(),
+                       facet.vertices.begin() + facet.n_vertices);
+    build_surface(1);
+  }
+
+
+  template <int dim>
+  double
+  ContactInterface<dim>::deepest_share() const
+  {
+    // a barrier ends a little before: half of the range is before the
+    // stiffening, see PaperLaw
+    return parameters.largest_share() *
+           (parameters.release == ContactParameters::Release::never ?
+              0.5 * (1. + PaperLaw::barrier_end) :
+              1.);
   }
 
 
@@ -188,8 +370,39 @@ namespace MortarContact
     last_report        = ContactReport();
     last_report.name   = name;
 
-    for (unsigned int side = 0; side < 2; ++side)
-      build_surface(side);
+    committed_time = 0.;
+    dissipation    = 0.;
+
+    const bool is_single =
+      parameters.kind == ContactParameters::Kind::automatic_single_surface;
+    AssertThrow(!is_single || (extracted[1].empty() && !obstacle),
+                ExcMessage("Interface '" + name +
+                           "' is a single surface: all its parts are "
+                           "secondary; it has no primary."));
+    AssertThrow(!parameters.has_ties() || !obstacle,
+                ExcMessage("Interface '" + name + "': ties need facets; '" +
+                           (obstacle ? obstacle->name : "") +
+                           "' is a smooth surface."));
+    for (const auto &body : rigid_bodies)
+      {
+        body->move(0.);
+        body->commit();
+        body->move(0.);
+      }
+    build_surface(0);
+    if (!is_single && !obstacle)
+      build_surface(1);
+    for (auto &surface : surfaces)
+      surface.move([](const auto) { return 0.; });
+    if (parameters.kind == ContactParameters::Kind::forming_surface_to_surface)
+      check_tool_normals();
+    for (auto &facets : extracted)
+      facets.clear();
+    AssertThrow(last_report.initial.highest_modulus[0] > 0. ||
+                  last_report.initial.highest_modulus[1] > 0.,
+                ExcMessage("Interface '" + name +
+                           "': both sides are rigid; expected at least one "
+                           "deformable body."));
     dofs              = surfaces[0].dofs();
     const auto others = surfaces[1].dofs();
     dofs.insert(dofs.end(), others.begin(), others.end());
@@ -201,85 +414,58 @@ namespace MortarContact
     options.integration    = parameters.integration;
     options.stiffness_side = parameters.side();
     options.symmetrise     = parameters.symmetric_tangent;
-    const unsigned int n_sweeps =
-      (parameters.kind ==
-       ContactParameters::Kind::automatic_surface_to_surface) ?
-        2 :
-        1;
+    options.smoothing      = parameters.smoothing;
+    options.elastic_slip   = parameters.friction.elastic_slip;
+    options.tangential_scale =
+      parameters.stiffness_scale * parameters.penalty_factor;
+    // without facets there are no segments
+    if (obstacle && options.integration.rule == Integration::Rule::segments)
+      options.integration.rule = Integration::Rule::points;
+    const unsigned int n_sweeps = obstacle ? 1 : parameters.n_sweeps();
     sweeps.clear();
     for (unsigned int i = 0; i < n_sweeps; ++i)
-      sweeps.push_back(std::make_unique<ContactSweep<dim>>(
-        surfaces[i].skin, surfaces[1 - i].skin, *law, options, 1. / n_sweeps));
+      sweeps.push_back(
+        std::make_unique<ContactSweep<dim>>(surfaces[side_of(i, 0)].skin,
+                                            surfaces[side_of(i, 1)].skin,
+                                            obstacle ? obstacle->surface.get() :
+                                                       nullptr,
+                                            *law,
+                                            friction.get(),
+                                            options,
+                                            is_single ? 0.5 : 1. / n_sweeps));
+    tie_sweep.reset();
+    if (parameters.has_ties())
+      {
+        TieStrength strength = parameters.tie.strength;
+        if (parameters.kind == ContactParameters::Kind::tied)
+          strength.law = TieStrength::Law::never;
+        const PairKernel<dim> kernel(*law, nullptr, options);
+        tie_sweep = std::make_unique<TieSweep<dim>>(surfaces[0].skin,
+                                                    surfaces[1].skin,
+                                                    strength,
+                                                    kernel,
+                                                    options.tangential_scale,
+                                                    parameters.tie.tolerance);
+        const TieCounts     ties  = tie_sweep->counts();
+        std::vector<double> areas = {ties.area,
+                                     ties.tied_area,
+                                     double(ties.n_free_facets)};
+        Utilities::MPI::sum(areas, communicator, areas);
+        InitialReport &initial = last_report.initial;
+        initial.secondary_area = areas[0];
+        initial.tied_area      = areas[1];
+        initial.n_free_facets  = std::lround(areas[2]);
+        initial.largest_tied_gap =
+          Utilities::MPI::max(ties.largest_gap, communicator);
+        AssertThrow(initial.tied_area > 0.,
+                    ExcMessage("Interface '" + name +
+                               "': nothing is tied; no part of the secondary "
+                               "lies within 'Tie tolerance' of the primary."));
+        exclude_tied_facets();
+      }
     detect_initial_penetrations();
     evaluate(0., false);
-  }
-
-
-  template <int dim>
-  void
-  ContactInterface<dim>::detect_initial_penetrations()
-  {
-    InitialTreatment treatment;
-    treatment.largest_share      = parameters.largest_share();
-    treatment.deepest            = parameters.deepest_penetration;
-    treatment.remaining_pressure = parameters.initial_pressure;
-    treatment.store =
-      parameters.initial_penetration != InitialPenetration::stress;
-
-    InitialReport &initial = last_report.initial;
-    initial.treatment      = parameters.initial_penetration;
-
-    std::vector<DeepPenetration> deepest, undetected;
-    for (unsigned int i = 0; i < sweeps.size(); ++i)
-      {
-        const InitialFindings<dim> found = sweeps[i]->detect_initial(treatment);
-        const auto                &labels = surfaces[i].labels;
-        initial.n_facets += Utilities::MPI::sum(found.n_facets, communicator);
-        initial.n_undetected +=
-          Utilities::MPI::sum(found.n_too_deep, communicator);
-        if (found.n_facets > 0)
-          deepest.push_back(
-            {found.depth,
-             found.depth /
-               (treatment.largest_share * surfaces[i].cell_length[found.facet]),
-             labels[found.facet],
-             {},
-             in_space(found.position)});
-        if (found.n_too_deep > 0)
-          undetected.push_back(
-            {found.too_deep,
-             found.too_deep / (treatment.largest_share *
-                               surfaces[i].cell_length[found.too_deep_facet]),
-             labels[found.too_deep_facet],
-             {},
-             in_space(found.too_deep_position)});
-      }
-    const auto deepest_of_all = [&](const std::vector<DeepPenetration> &local) {
-      DeepPenetration result;
-      for (const auto &of_rank :
-           Utilities::MPI::all_gather(communicator, local))
-        for (const auto &p : of_rank)
-          if (p.penetration > result.penetration)
-            result = p;
-      return result;
-    };
-    initial.deepest    = deepest_of_all(deepest);
-    initial.undetected = deepest_of_all(undetected);
-
-    if (parameters.initial_penetration == InitialPenetration::remove_deep &&
-        initial.n_undetected > 0)
-      {
-        std::ostringstream message;
-        message << "Interface '" << name
-                << "': 'Deepest initial penetration' (MPAR2) is "
-                << parameters.deepest_penetration << ", but cell "
-                << initial.undetected.secondary.cell << " of '"
-                << initial.undetected.secondary.part << "' penetrates by "
-                << initial.undetected.penetration << " at ("
-                << initial.undetected.position
-                << "). Expected a value above the deepest initial penetration.";
-        AssertThrow(false, ExcMessage(message.str()));
-      }
+    is_set_up = true;
   }
 
 
@@ -358,7 +544,9 @@ namespace MortarContact
                                        time,
                                        parameters.removal_time);
     for (const auto &sweep : sweeps)
-      sweep->evaluate(share, with_tangent);
+      sweep->evaluate(share, time - committed_time, with_tangent);
+    if (tie_sweep)
+      tie_sweep->evaluate(with_tangent);
     make_report();
     last_report.evaluate_seconds +=
       Utilities::MPI::max(timer.wall_time(), communicator);
@@ -367,156 +555,77 @@ namespace MortarContact
 
   template <int dim>
   void
-  ContactInterface<dim>::make_report()
-  {
-    ContactReport &r = last_report;
-    // Step 1: sums and maxima of this rank.
-    std::vector<double> sums(16, 0.), maxima(4, 0.);
-    maxima[2] = std::numeric_limits<double>::lowest();
-    std::vector<DeepPenetration> worst;
-    for (unsigned int i = 0; i < sweeps.size(); ++i)
-      {
-        const ContactSweep<dim> &sweep   = *sweeps[i];
-        const auto              &counts  = sweep.counts();
-        const double             added[] = {
-                      double(sweep.candidates().size()),
-                      double(counts.active),
-                      double(counts.open),
-                      double(counts.apart),
-                      double(counts.beyond),
-                      double(counts.degenerate),
-                      double(sweep.too_deep(parameters.largest_share()).size())};
-        for (unsigned int k = 0; k < 7; ++k)
-          sums[k] += added[k];
-        maxima[2] = std::max(maxima[2], -counts.smallest_gap);
-        maxima[3] = std::max(maxima[3], counts.overlap);
-        for (const auto &pair : sweep.active_pairs())
-          {
-            const PairBlock<dim> &block = pair.block;
-            sums[7] += block.active_area;
-            sums[8] += block.energy;
-            sums[9] += block.penetration_volume;
-            for_each_force(surfaces[i].skin,
-                           surfaces[1 - i].skin,
-                           pair,
-                           [&](const unsigned int  side,
-                               const Tensor<1, 3> &x,
-                               const Tensor<1, 3> &force) {
-                             if (side != i) // body 0: side i of sweep i
-                               return;
-                             const Tensor<1, 3> moment =
-                               cross_product_3d(x, force);
-                             for (unsigned int c = 0; c < 3; ++c)
-                               {
-                                 sums[10 + c] += force[c];
-                                 sums[13 + c] += moment[c];
-                               }
-                           });
-            const double relative =
-              block.relative_penetration / parameters.largest_share();
-            maxima[0] = std::max(maxima[0], block.penetration);
-            maxima[1] = std::max(maxima[1], relative);
-            worst.push_back({block.penetration,
-                             relative,
-                             surfaces[i].labels[pair.secondary],
-                             surfaces[1 - i].labels[pair.primary],
-                             in_space(block.deepest_position)});
-          }
-      }
-
-    // Step 2: over the ranks.
-    Utilities::MPI::sum(sums, communicator, sums);
-    Utilities::MPI::max(maxima, communicator, maxima);
-    r.candidate_pairs  = std::lround(sums[0]);
-    r.active_pairs     = std::lround(sums[1]);
-    r.open_pairs       = std::lround(sums[2]);
-    r.apart_pairs      = std::lround(sums[3]);
-    r.beyond_pairs     = std::lround(sums[4]);
-    r.degenerate_pairs = std::lround(sums[5]);
-    r.n_too_deep       = std::lround(sums[6]);
-    r.active_area      = sums[7];
-    r.energy           = sums[8];
-    r.mean_penetration = sums[7] > 0. ? sums[9] / sums[7] : 0.;
-    for (unsigned int c = 0; c < 3; ++c)
-      {
-        r.force[c]  = sums[10 + c];
-        r.moment[c] = sums[13 + c];
-      }
-    r.largest_penetration  = maxima[0];
-    r.relative_penetration = maxima[1];
-    r.smallest_gap         = -maxima[2];
-    r.largest_overlap      = maxima[3];
-
-    // Step 3: the worst facets, deepest first, one line per facet.
-    const auto deeper = [](const DeepPenetration &a, const DeepPenetration &b) {
-      return std::tie(b.penetration, a.secondary.part, a.secondary.cell) <
-             std::tie(a.penetration, b.secondary.part, b.secondary.cell);
-    };
-    const auto keep_worst = [&](std::vector<DeepPenetration> &list) {
-      std::sort(list.begin(), list.end(), deeper);
-      std::vector<DeepPenetration> kept;
-      for (const auto &p : list)
-        {
-          if (kept.size() >= parameters.n_worst_facets)
-            break;
-          const bool known =
-            std::any_of(kept.begin(), kept.end(), [&](const auto &k) {
-              return k.secondary.cell == p.secondary.cell &&
-                     k.secondary.part == p.secondary.part;
-            });
-          if (!known)
-            kept.push_back(p);
-        }
-      list = kept;
-    };
-    keep_worst(worst);
-    r.worst.clear();
-    for (const auto &of_rank : Utilities::MPI::all_gather(communicator, worst))
-      r.worst.insert(r.worst.end(), of_rank.begin(), of_rank.end());
-    keep_worst(r.worst);
-  }
-
-
-  template <int dim>
-  StepAdvice
-  ContactInterface<dim>::advice() const
-  {
-    StepAdvice advice;
-    if (last_report.n_too_deep > 0 &&
-        parameters.release == ContactParameters::Release::cut_back)
-      {
-        std::ostringstream reason;
-        reason.precision(4);
-        reason << "interface '" << name << "': " << last_report.n_too_deep
-               << " facets penetrate beyond the release depth, the deepest by "
-               << last_report.largest_penetration << " ("
-               << 100. * last_report.relative_penetration << " %)";
-        if (!last_report.worst.empty())
-          reason << ", cell " << last_report.worst[0].secondary.cell << " of '"
-                 << last_report.worst[0].secondary.part << "'";
-        advice.accept = false;
-        advice.reason = reason.str();
-      }
-    return advice;
-  }
-
-
-  template <int dim>
-  void
-  ContactInterface<dim>::commit(const double)
+  ContactInterface<dim>::commit(const double time)
   {
     unsigned int n_released = 0;
     for (const auto &sweep : sweeps)
       {
         std::vector<unsigned int> released;
         if (parameters.release == ContactParameters::Release::report)
-          released = sweep->too_deep(parameters.largest_share());
+          released = sweep->too_deep(deepest_share());
         n_released += released.size();
         sweep->commit(parameters.initial_penetration ==
                         InitialPenetration::track,
                       released);
       }
     last_report.n_released += Utilities::MPI::sum(n_released, communicator);
+    if (tie_sweep)
+      {
+        tie_sweep->commit();
+        exclude_tied_facets();
+      }
+    for (const auto &body : rigid_bodies)
+      body->commit();
+    dissipation                 = last_report.dissipation;
+    committed_time              = time;
+    last_report.n_augmentations = 0;
+  }
+
+
+  template <int dim>
+  void
+  ContactInterface<dim>::exclude_tied_facets()
+  {
+    if (sweeps.empty())
+      return;
+    const std::vector<char> held = tie_sweep->holds();
+    sweeps[0]->set_tied(held);
+    // the other sweep's points look at facets that are tied: they have no
+    // contact either
+    std::vector<unsigned int> tied_primary;
+    const auto               &owned = sweeps[0]->owned_facets();
+    for (const auto &[s, p] : tie_sweep->candidates())
+      if (held[std::lower_bound(owned.begin(), owned.end(), s) - owned.begin()])
+        tied_primary.push_back(p);
+    std::vector<char>      by_owned;
+    std::set<unsigned int> all;
+    for (const auto &of_rank :
+         Utilities::MPI::all_gather(communicator, tied_primary))
+      all.insert(of_rank.begin(), of_rank.end());
+    for (const unsigned int f : sweeps[1]->owned_facets())
+      by_owned.push_back(all.count(f) > 0);
+    sweeps[1]->set_tied(by_owned);
+  }
+
+
+  template <int dim>
+  bool
+  ContactInterface<dim>::augment()
+  {
+    if (!parameters.augmentation.is_on)
+      return false;
+    double depth = 0.;
+    for (const auto &sweep : sweeps)
+      depth = std::max(depth, sweep->penetration());
+    if (Utilities::MPI::max(depth, communicator) <=
+          parameters.augmentation.tolerance ||
+        last_report.n_augmentations > parameters.augmentation.most)
+      return false;
+    for (const auto &sweep : sweeps)
+      sweep->augment();
+    ++last_report.n_augmentations;
+    ++last_report.n_augmentations_total;
+    return true;
   }
 
 
@@ -524,105 +633,11 @@ namespace MortarContact
   void
   ContactInterface<dim>::rollback()
   {
-    // Trial quantities live in the last evaluation only; the next update()
-    // replaces it.
-  }
-
-
-  template <int dim>
-  const SurfaceVertex<dim> &
-  ContactInterface<dim>::vertex_of(const unsigned int sweep,
-                                   const unsigned int s,
-                                   const unsigned int p,
-                                   const unsigned int a) const
-  {
-    constexpr unsigned int n = max_vertices<dim>;
-    return (a < n) ? surfaces[sweep].vertex(s, a) :
-                     surfaces[1 - sweep].vertex(p, a - n);
-  }
-
-
-  namespace
-  {
-    /// Whether vertex @p a of a pair, counted as in PairVector, exists.
-    template <int dim>
-    bool
-    exists(const ContactFacet<dim> &s,
-           const ContactFacet<dim> &p,
-           const unsigned int       a)
-    {
-      constexpr unsigned int n = max_vertices<dim>;
-      return (a < n) ? a < s.current.n_vertices : a - n < p.current.n_vertices;
-    }
-  } // namespace
-
-
-  template <int dim>
-  std::vector<types::global_dof_index>
-  ContactInterface<dim>::dofs_of(const unsigned int sweep,
-                                 const unsigned int s,
-                                 const unsigned int p) const
-  {
-    std::vector<types::global_dof_index> result;
-    for (unsigned int a = 0; a < 2 * max_vertices<dim>; ++a)
-      if (exists(surfaces[sweep].skin.facets[s],
-                 surfaces[1 - sweep].skin.facets[p],
-                 a))
-        for (const auto &entry : vertex_of(sweep, s, p, a).row)
-          result.insert(result.end(), entry.dofs.begin(), entry.dofs.end());
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
-    return result;
-  }
-
-
-  template <int dim>
-  void
-  ContactInterface<dim>::distribute_pair(
-    const unsigned int                            sweep,
-    const typename ContactSweep<dim>::ActivePair &pair,
-    const bool                                    with_tangent,
-    std::vector<types::global_dof_index>         &pair_dofs,
-    Vector<double>                               &forces,
-    FullMatrix<double>                           &tangent) const
-  {
-    pair_dofs = dofs_of(sweep, pair.secondary, pair.primary);
-    forces.reinit(pair_dofs.size());
-    if (with_tangent)
-      tangent.reinit(pair_dofs.size(), pair_dofs.size());
-
-    // The rows of the vertex map: component by component.
-    struct Term
-    {
-      unsigned int component; ///< As in PairVector.
-      unsigned int dof;       ///< In pair_dofs.
-      double       weight;
-    };
-    std::vector<Term> terms;
-    for (unsigned int a = 0; a < 2 * max_vertices<dim>; ++a)
-      if (exists(surfaces[sweep].skin.facets[pair.secondary],
-                 surfaces[1 - sweep].skin.facets[pair.primary],
-                 a))
-        for (const auto &entry :
-             vertex_of(sweep, pair.secondary, pair.primary, a).row)
-          for (unsigned int i = 0; i < dim; ++i)
-            terms.push_back(
-              {a * dim + i,
-               static_cast<unsigned int>(std::lower_bound(pair_dofs.begin(),
-                                                          pair_dofs.end(),
-                                                          entry.dofs[i]) -
-                                         pair_dofs.begin()),
-               entry.weight});
-
-    for (const Term &row : terms)
-      {
-        forces(row.dof) -= row.weight * pair.block.residual[row.component];
-        if (with_tangent)
-          for (const Term &column : terms)
-            tangent(row.dof, column.dof) +=
-              row.weight * column.weight *
-              pair.block.tangent[row.component][column.component];
-      }
+    // Other trial quantities live in the last evaluation only; the next
+    // update() replaces it.
+    for (const auto &sweep : sweeps)
+      sweep->rollback();
+    last_report.n_augmentations = 0;
   }
 
 
@@ -632,9 +647,16 @@ namespace MortarContact
   {
     boost::archive::binary_oarchive archive(out);
     const unsigned int              n = sweeps.size();
-    archive << n << last_report.n_released;
+    archive << n << last_report.n_released << committed_time << dissipation;
     for (const auto &sweep : sweeps)
       archive << sweep->state();
+    for (const auto &body : rigid_bodies)
+      archive << body->motion() << body->motion_before();
+    if (tie_sweep)
+      {
+        const std::vector<TieHistory> ties = tie_sweep->state();
+        archive << ties;
+      }
   }
 
 
@@ -644,7 +666,7 @@ namespace MortarContact
   {
     boost::archive::binary_iarchive archive(in);
     unsigned int                    n = 0;
-    archive >> n >> last_report.n_released;
+    archive >> n >> last_report.n_released >> committed_time >> dissipation;
     AssertThrow(n == sweeps.size(),
                 ExcMessage("The saved state belongs to another interface."));
     for (const auto &sweep : sweeps)
@@ -653,127 +675,19 @@ namespace MortarContact
         archive >> history;
         sweep->restore(history);
       }
-  }
-
-
-  template <int dim>
-  double
-  ContactInterface<dim>::check_balance() const
-  {
-    std::vector<double> sums(8, 0.);
-    for (unsigned int i = 0; i < sweeps.size(); ++i)
-      for (const auto &pair : sweeps[i]->active_pairs())
-        for_each_force(surfaces[i].skin,
-                       surfaces[1 - i].skin,
-                       pair,
-                       [&](const unsigned int,
-                           const Tensor<1, 3> &x,
-                           const Tensor<1, 3> &force) {
-                         const Tensor<1, 3> moment = cross_product_3d(x, force);
-                         for (unsigned int c = 0; c < 3; ++c)
-                           {
-                             sums[c] += force[c];
-                             sums[3 + c] += moment[c];
-                           }
-                         sums[6] += force.norm();
-                         sums[7] += x.norm() * force.norm();
-                       });
-    Utilities::MPI::sum(sums, communicator, sums);
-    const auto share =
-      [](const double x, const double y, const double z, const double of) {
-        return of > 0. ? std::sqrt(x * x + y * y + z * z) / of : 0.;
-      };
-    return std::max(share(sums[0], sums[1], sums[2], sums[6]),
-                    share(sums[3], sums[4], sums[5], sums[7]));
-  }
-
-
-  template <int dim>
-  double
-  ContactInterface<dim>::check_tangent_at_fetched(const double       time,
-                                                  const unsigned int n_samples)
-  {
-    const std::vector<double> base = values;
-    const double share = removal_share(parameters.initial_penetration,
-                                       time,
-                                       parameters.removal_time);
-    double       size  = 0.;
-    for (const auto &facet : surfaces[0].skin.facets)
-      size = std::max(size, diameter(facet.reference));
-    size = Utilities::MPI::max(size, communicator);
-
-    // contact forces, and tangent times a direction
-    const auto evaluate_at = [&](const std::vector<double> &at,
-                                 const bool                 with_tangent) {
-      values = at;
-      for (auto &surface : surfaces)
-        surface.move([&](const auto dof) { return value(dof); });
-      for (const auto &sweep : sweeps)
-        sweep->evaluate(share, with_tangent);
-    };
-    const auto collect = [&](const std::vector<double> *direction) {
-      std::vector<double>                  result(dofs.size(), 0.);
-      std::vector<types::global_dof_index> pair_dofs;
-      Vector<double>                       forces;
-      FullMatrix<double>                   tangent;
-      for (unsigned int i = 0; i < sweeps.size(); ++i)
-        for (const auto &pair : sweeps[i]->active_pairs())
-          {
-            distribute_pair(
-              i, pair, direction != nullptr, pair_dofs, forces, tangent);
-            const auto index = [&](const unsigned int k) {
-              return std::lower_bound(dofs.begin(), dofs.end(), pair_dofs[k]) -
-                     dofs.begin();
-            };
-            for (unsigned int r = 0; r < pair_dofs.size(); ++r)
-              if (direction == nullptr)
-                result[index(r)] -= forces(r);
-              else
-                for (unsigned int c = 0; c < pair_dofs.size(); ++c)
-                  result[index(r)] += tangent(r, c) * (*direction)[index(c)];
-          }
-      Utilities::MPI::sum(result, communicator, result);
-      return result;
-    };
-
-    std::mt19937                           random(1);
-    std::uniform_real_distribution<double> uniform(-1., 1.);
-    double                                 worst = 0.;
-    for (unsigned int sample = 0; sample < n_samples; ++sample)
+    for (const auto &body : rigid_bodies)
       {
-        std::vector<double> direction(dofs.size());
-        for (double &d : direction)
-          d = uniform(random);
-        evaluate_at(base, true);
-        const std::vector<double> exact = collect(&direction);
-        double                    best  = std::numeric_limits<double>::max();
-        for (const double h : {1e-4, 1e-5, 1e-6, 1e-7})
-          {
-            const auto moved_by = [&](const double by) {
-              std::vector<double> at = base;
-              for (std::size_t i = 0; i < at.size(); ++i)
-                at[i] += by * size * direction[i];
-              evaluate_at(at, false);
-              return collect(nullptr);
-            };
-            const std::vector<double> plus = moved_by(h), minus = moved_by(-h);
-            double                    error = 0., scale = 0.;
-            for (std::size_t i = 0; i < exact.size(); ++i)
-              {
-                const double difference =
-                  (plus[i] - minus[i]) / (2. * h * size);
-                error = std::max(error, std::abs(difference - exact[i]));
-                scale = std::max(scale, std::abs(exact[i]));
-              }
-            if (scale > 0.)
-              best = std::min(best, error / scale);
-            else
-              best = error;
-          }
-        worst = std::max(worst, best);
+        RigidMotion<dim> present, before;
+        archive >> present >> before;
+        body->restore(present, before);
       }
-    evaluate_at(base, true);
-    return worst;
+    if (tie_sweep)
+      {
+        std::vector<TieHistory> ties;
+        archive >> ties;
+        tie_sweep->restore(ties);
+        exclude_tied_facets();
+      }
   }
 
 

@@ -4,6 +4,7 @@
 #include <deal.II/base/data_out_base.h>
 #include <deal.II/base/mpi.h>
 
+#include <cmath>
 #include <fstream>
 #include <map>
 
@@ -26,7 +27,7 @@ namespace MortarContact
                                    (n == 3)   ? ReferenceCells::Triangle :
                                                 ReferenceCells::Quadrilateral;
             patch.n_subdivisions = 1;
-            patch.data.reinit(5, n);
+            patch.data.reinit(7, n);
             for (unsigned int k = 0; k < n; ++k)
               {
                 // deal.II's order of quadrilaterals is lexicographic
@@ -37,6 +38,8 @@ namespace MortarContact
                 patch.data(2, k)     = state.relative;
                 patch.data(3, k)     = state.side;
                 patch.data(4, k)     = state.label.cell;
+                patch.data(5, k)     = state.shear[a];
+                patch.data(6, k)     = static_cast<double>(state.status);
               }
             patch.patch_index = patches.size();
             patches.push_back(patch);
@@ -57,7 +60,9 @@ namespace MortarContact
                 "penetration",
                 "penetration_over_release",
                 "side",
-                "cell"};
+                "cell",
+                "shear",
+                "status"};
       }
 
       std::vector<DataOutBase::Patch<dim - 1, dim>> patches;
@@ -77,28 +82,32 @@ namespace MortarContact
     for (unsigned int side = 0; side < 2; ++side)
       {
         const unsigned int n = contact.surface(side).skin.facets.size();
-        force[side].resize(n * V, 0.);
-        depth[side].resize(2 * n, 0.);
+        force[side].resize(n * V * dim, 0.);
+        depth[side].resize(3 * n, 0.);
       }
-    for (unsigned int i = 0; i < contact.n_sweeps(); ++i)
-      for (const auto &pair : contact.sweep(i).active_pairs())
-        for (unsigned int role = 0; role < 2; ++role)
-          {
-            const unsigned int side = (role == 0) ? i : 1 - i;
-            const unsigned int f = (role == 0) ? pair.secondary : pair.primary;
-            const Tensor<1, dim> w =
-              centre_normal(contact.surface(side).skin.facets[f].current);
-            for (unsigned int a = 0; a < V; ++a)
-              for (unsigned int c = 0; c < dim; ++c)
-                force[side][f * V + a] +=
-                  pair.block
-                    .residual[role * max_facet_components<dim> + a * dim + c] *
-                  w[c] / w.norm();
-            double &d        = depth[side][2 * f];
-            double &relative = depth[side][2 * f + 1];
-            d                = std::max(d, pair.block.penetration);
-            relative = std::max(relative, pair.block.relative_penetration);
-          }
+    contact.for_each_pair([&](const unsigned int i, const auto &pair) {
+      using Status        = typename FacetState<dim>::Status;
+      const auto  &block  = pair.block;
+      const Status status = contact.ties() != nullptr && block.overlap == 0. &&
+                                block.penetration == 0. ?
+                              Status::tied :
+                            block.slip_area > 0. ? Status::slip :
+                                                   Status::stick;
+      for (unsigned int role = 0; role < 2; ++role)
+        {
+          const unsigned int side = contact.side_of(i, role);
+          const unsigned int f    = (role == 0) ? pair.secondary : pair.primary;
+          if (f >= contact.surface(side).skin.facets.size())
+            continue; // an obstacle
+          for (unsigned int k = 0; k < V * dim; ++k)
+            force[side][f * V * dim + k] +=
+              block.residual[role * max_facet_components<dim> + k];
+          double *d = &depth[side][3 * f];
+          d[0]      = std::max(d[0], block.penetration);
+          d[1]      = std::max(d[1], block.relative_penetration);
+          d[2]      = std::max(d[2], static_cast<double>(status));
+        }
+    });
 
     // Step 2: pressures, from the sums at the vertices.
     std::vector<FacetState<dim>> states;
@@ -107,17 +116,28 @@ namespace MortarContact
         Utilities::MPI::sum(force[side], communicator, force[side]);
         Utilities::MPI::max(depth[side], communicator, depth[side]);
 
-        const ContactSurface<dim> &surface = contact.surface(side);
-        const Skin<dim>           &skin    = surface.skin;
-        std::map<unsigned int, std::pair<double, double>> at_vertex;
+        struct Sums
+        {
+          double         normal = 0., area = 0.;
+          Tensor<1, dim> tangential;
+        };
+        const ContactSurface<dim>   &surface = contact.surface(side);
+        const Skin<dim>             &skin    = surface.skin;
+        std::map<unsigned int, Sums> at_vertex;
         for (unsigned int f = 0; f < skin.facets.size(); ++f)
           {
-            const Facet<dim> &facet = skin.facets[f].current;
+            const Facet<dim>    &facet = skin.facets[f].current;
+            const Tensor<1, dim> w     = centre_normal(facet);
+            const Tensor<1, dim> n     = w / w.norm();
             for (unsigned int a = 0; a < facet.n_vertices; ++a)
               {
-                auto &sums = at_vertex[skin.vertices[f][a]];
-                sums.first += force[side][f * V + a];
-                sums.second += area(facet) / facet.n_vertices;
+                Sums          &sums = at_vertex[skin.vertices[f][a]];
+                Tensor<1, dim> F;
+                for (unsigned int c = 0; c < dim; ++c)
+                  F[c] = force[side][(f * V + a) * dim + c];
+                sums.normal += F * n;
+                sums.tangential += F - (F * n) * n;
+                sums.area += area(facet) / facet.n_vertices;
               }
           }
         for (unsigned int f = 0; f < skin.facets.size(); ++f)
@@ -125,15 +145,18 @@ namespace MortarContact
             FacetState<dim> state;
             state.current     = skin.facets[f].current;
             state.reference   = skin.facets[f].reference;
-            state.penetration = depth[side][2 * f];
+            state.penetration = depth[side][3 * f];
             state.relative =
-              depth[side][2 * f + 1] / contact.parameters.largest_share();
+              depth[side][3 * f + 1] / contact.parameters.largest_share();
+            state.status = static_cast<typename FacetState<dim>::Status>(
+              std::lround(depth[side][3 * f + 2]));
             state.side  = side;
             state.label = surface.labels[f];
             for (unsigned int a = 0; a < state.current.n_vertices; ++a)
               {
-                const auto &sums  = at_vertex[skin.vertices[f][a]];
-                state.pressure[a] = sums.first / sums.second;
+                const Sums &sums  = at_vertex[skin.vertices[f][a]];
+                state.pressure[a] = sums.normal / sums.area;
+                state.shear[a]    = sums.tangential.norm() / sums.area;
               }
             states.push_back(state);
           }

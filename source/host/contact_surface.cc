@@ -42,6 +42,7 @@ namespace MortarContact
     // Step 2: one number per vertex.
     const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
     std::map<types::global_dof_index, unsigned int> numbers;
+    std::map<std::string, unsigned int>             parts;
     skin = {};
     vertices.clear();
     facet_vertices.clear();
@@ -69,11 +70,16 @@ namespace MortarContact
         skin.facets.push_back(facet);
         skin.vertices.push_back(keys);
         skin.is_owned.push_back(f.owner == rank);
+        skin.parts.push_back(
+          parts.try_emplace(f.label.part, parts.size()).first->second);
         facet_vertices.push_back(of_facet);
         labels.push_back(f.label);
-        cell_modulus.push_back(stiffness.modulus > 0. ? stiffness.modulus :
-                                                        f.modulus);
+        const bool is_rigid = f.modulus == 0.;
+        cell_modulus.push_back(
+          is_rigid || stiffness.modulus == 0. ? f.modulus : stiffness.modulus);
         cell_length.push_back(
+          is_rigid ?
+            0. :
           stiffness.length > 0. ?
             stiffness.length :
             (stiffness.use_shortest_edge ? f.shortest_edge : f.length));
@@ -89,7 +95,8 @@ namespace MortarContact
           {
             const unsigned int i = facet_vertices[f][v];
             total_area[i] += a;
-            compliance[i] += a * cell_length[f] / cell_modulus[f];
+            if (cell_modulus[f] > 0.)
+              compliance[i] += a * cell_length[f] / cell_modulus[f];
             length[i] += a * cell_length[f];
           }
       }
@@ -109,6 +116,8 @@ namespace MortarContact
     const SurfaceVertex<dim>                             &v,
     const std::function<double(types::global_dof_index)> &displacement) const
   {
+    if (v.row.empty())
+      return rigid_bodies[v.rigid_body]->motion().place(v.reference);
     Tensor<1, dim> x = v.reference;
     for (const auto &entry : v.row)
       for (unsigned int i = 0; i < dim; ++i)

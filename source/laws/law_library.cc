@@ -21,14 +21,13 @@ namespace MortarContact
   make_pressure_law(const std::string &name,
                     const double       scale,
                     const double       stiffening,
-                    const double       largest_penetration)
+                    const double       largest_penetration,
+                    const bool         barrier)
   {
     for (const auto &[known, curve] : pressure_laws())
       if (known == name)
-        return std::make_unique<PaperLaw>(curve,
-                                          scale,
-                                          stiffening,
-                                          largest_penetration);
+        return std::make_unique<PaperLaw>(
+          curve, scale, stiffening, largest_penetration, 0.03, barrier);
     AssertThrow(false,
                 dealii::ExcMessage("There is no pressure law called '" + name +
                                    "'."));

@@ -37,14 +37,18 @@ namespace MortarContact
                      const double        scale,
                      const double        stiffening,
                      const double        largest,
-                     const double        width)
+                     const double        width,
+                     const bool          barrier)
     : curve(curve)
     , scale(scale)
     , width(width)
+    , barrier(barrier)
     , x_q(largest / (2. * width))
     , x_m(largest / width)
-    , cubic((stiffening - 1.) * base_curve(curve, x_m).pressure)
-    , at_largest(curve_at(x_m))
+    , x_end(barrier ? x_q + barrier_end * (x_m - x_q) : x_m)
+    , cubic((barrier ? std::max(stiffening - 1., 1.) : stiffening - 1.) *
+            base_curve(curve, x_m).pressure)
+    , at_end(curve_at(x_end))
   {}
 
 
@@ -56,9 +60,20 @@ namespace MortarContact
       {
         const double range = x_m - x_q;
         const double s     = (x - x_q) / range;
-        f.energy += cubic * range * s * s * s * s / 4.;
-        f.pressure += cubic * s * s * s;
-        f.stiffness += cubic * 3. * s * s / range;
+        if (barrier)
+          {
+            const double t = 1. - s;
+            f.energy -= cubic * range *
+                        (s * s * s / 3. + s * s / 2. + s + std::log1p(-s));
+            f.pressure += cubic * s * s * s / t;
+            f.stiffness += cubic * s * s * (3. - 2. * s) / (t * t) / range;
+          }
+        else
+          {
+            f.energy += cubic * range * s * s * s * s / 4.;
+            f.pressure += cubic * s * s * s;
+            f.stiffness += cubic * 3. * s * s / range;
+          }
       }
     return f;
   }
@@ -69,15 +84,15 @@ namespace MortarContact
   {
     const double   x = depth / width;
     NormalResponse f;
-    if (x <= x_m)
+    if (x <= x_end)
       f = curve_at(x);
     else
       {
-        const double beyond = x - x_m;
-        f.energy            = at_largest.energy + at_largest.pressure * beyond +
-                   at_largest.stiffness * beyond * beyond / 2.;
-        f.pressure  = at_largest.pressure + at_largest.stiffness * beyond;
-        f.stiffness = at_largest.stiffness;
+        const double beyond = x - x_end;
+        f.energy            = at_end.energy + at_end.pressure * beyond +
+                   at_end.stiffness * beyond * beyond / 2.;
+        f.pressure  = at_end.pressure + at_end.stiffness * beyond;
+        f.stiffness = at_end.stiffness;
       }
     // dd/dx = eps l turns the integral over x into one over d / l
     return {scale * width * width * f.energy,

@@ -57,15 +57,21 @@ namespace MortarContact
   template <int dim>
   ContactSweep<dim>::ContactSweep(const Skin<dim>     &secondary,
                                   const Skin<dim>     &primary,
+                                  const Obstacle<dim> *obstacle,
                                   const PressureLaw   &law,
+                                  const FrictionLaw   *friction,
                                   const KernelOptions &options,
                                   const double         weight)
     : secondary(secondary)
     , primary(primary)
+    , obstacle(obstacle)
     , law(law)
-    , kernel(law, options)
+    , kernel(law, friction, options)
     , weight(weight)
   {
+    Assert(obstacle == nullptr ||
+             options.integration.rule != Integration::Rule::segments,
+           ExcMessage("A surface without facets has no segments."));
     double sum = 0.;
     for (unsigned int f = 0; f < secondary.facets.size(); ++f)
       {
@@ -85,6 +91,12 @@ namespace MortarContact
     if (!secondary.facets.empty() && !primary.facets.empty())
       surface_offset = std::abs(secondary.facets[0].surface_offset) +
                        std::abs(primary.facets[0].surface_offset);
+    if (friction != nullptr)
+      {
+        history.elastic_slip.resize(owned.size());
+        history.sliding.resize(owned.size(), VertexValues<dim>{});
+        history.before = {{current_facets(secondary), current_facets(primary)}};
+      }
     margin =
       margin_share * sum / std::max<std::size_t>(1, secondary.facets.size());
   }
@@ -96,13 +108,14 @@ namespace MortarContact
   {
     const ContactFacet<dim> &facet = secondary.facets[f];
     const double             l_s   = largest(facet);
-    if (kernel.options.stiffness_side == StiffnessSide::secondary ||
+    const double             c_s =
+      *std::max_element(facet.compliance.begin(),
+                        facet.compliance.begin() + facet.current.n_vertices);
+    if ((kernel.options.stiffness_side == StiffnessSide::secondary &&
+         c_s > 0.) ||
         largest_length_p <= l_s)
       return l_s;
     // grows with the primary's share
-    const double c_s =
-      *std::max_element(facet.compliance.begin(),
-                        facet.compliance.begin() + facet.current.n_vertices);
     return in_series(c_s, l_s, largest_compliance_p, largest_length_p).length;
   }
 
@@ -136,6 +149,9 @@ namespace MortarContact
   {
     searched_s = current_facets(secondary);
     searched_p = current_facets(primary);
+    last_reach = 0.;
+    for (const unsigned int f : owned)
+      last_reach = std::max(last_reach, reach(f) + surface_offset);
 
     std::vector<Box<dim>> boxes;
     boxes.reserve(searched_p.size());
@@ -143,10 +159,17 @@ namespace MortarContact
       boxes.push_back(box_around(f));
     const BroadPhase<dim> broad_phase(boxes);
 
+    pairs.clear();
+    if (obstacle != nullptr)
+      {
+        for (const unsigned int f : owned)
+          pairs.emplace_back(f, 0);
+        return;
+      }
     const PairFilter<dim> filter(secondary,
                                  primary,
-                                 kernel.options.zero_cosine);
-    pairs.clear();
+                                 kernel.options.zero_cosine,
+                                 kernel.options.ceiling);
     for (const unsigned int f : owned)
       {
         // the box of the facet, swept inwards over the depth that counts
@@ -164,17 +187,104 @@ namespace MortarContact
 
 
   template <int dim>
-  FacetOffset<dim>
-  ContactSweep<dim>::offset_of(const unsigned int o, const double share) const
+  SecondaryState<dim>
+  ContactSweep<dim>::state_of(const unsigned int o, FacetSlip<dim> &slip) const
   {
-    FacetOffset<dim> offset;
-    if (!history.level.empty() && share > 0.)
+    SecondaryState<dim> state;
+    const unsigned int  f = owned[o];
+    const unsigned int  n = secondary.facets[f].current.n_vertices;
+    if (!history.level.empty())
       {
-        offset.share = share;
-        offset.level = extrapolate_to_vertices<dim>(
-          secondary.facets[owned[o]].current.n_vertices, history.level[o]);
+        state.share = last_share;
+        state.level = extrapolate_to_vertices<dim>(n, history.level[o]);
       }
-    return offset;
+    if (!augmentation.empty())
+      state.augmentation = extrapolate_to_vertices<dim>(n, augmentation[o]);
+    if (kernel.point.has_friction())
+      {
+        const SecondaryFrame<dim> frame(history.before[0][f]);
+        slip.before  = frame.facet;
+        slip.normal  = frame.normal;
+        slip.basis   = frame.basis;
+        slip.elastic = extrapolate_to_vertices<dim>(n, history.elastic_slip[o]);
+        slip.share   = share_before;
+        slip.time_step = last_time_step;
+        state.slip     = &slip;
+      }
+    return state;
+  }
+
+
+  template <int dim>
+  bool
+  ContactSweep<dim>::has_no_contact(const unsigned int o) const
+  {
+    return is_released(o) || (!history.tied.empty() && history.tied[o]);
+  }
+
+
+  template <int dim>
+  void
+  ContactSweep<dim>::set_tied(const std::vector<char> &by_owned_facet)
+  {
+    history.tied = by_owned_facet;
+  }
+
+
+  template <int dim>
+  const Facet<dim> *
+  ContactSweep<dim>::primary_before(const unsigned int p) const
+  {
+    return history.before[1].empty() ? nullptr : &history.before[1][p];
+  }
+
+
+  template <int dim>
+  std::optional<typename PairKernel<dim>::Hit>
+  ContactSweep<dim>::hit(const SecondaryFrame<dim> &frame,
+                         const PlanePoint<dim>     &xi,
+                         const unsigned int         p) const
+  {
+    if (obstacle == nullptr)
+      return kernel.hit(frame, xi, primary.facets[p]);
+    const Tensor<1, dim> x =
+      interpolate(frame.facet, shape_values<dim>(frame.facet.n_vertices, xi));
+    // gaps matter too: as far as a facet is large
+    const double range   = std::max(last_reach, frame.diameter);
+    const auto   surface = obstacle->meet(x, frame.normal, range);
+    if (!surface)
+      return {};
+    return typename PairKernel<dim>::Hit{PlanePoint<dim>(),
+                                         frame.normal * (x - surface->x),
+                                         surface};
+  }
+
+
+  template <int dim>
+  PrimaryPoint<dim>
+  ContactSweep<dim>::primary_point(
+    const unsigned int                   p,
+    const typename PairKernel<dim>::Hit &at) const
+  {
+    if (!at.surface)
+      return kernel.primary_point(primary.facets[p], primary_before(p), at.eta);
+    PrimaryPoint<dim> point;
+    static_cast<SurfacePoint<dim> &>(point) = *at.surface;
+    return point;
+  }
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  ContactSweep<dim>::candidates_of(const unsigned int o,
+                                   unsigned int      &next) const
+  {
+    std::vector<unsigned int> near;
+    while (next < pairs.size() && pairs[next].first < owned[o])
+      ++next;
+    for (; next < pairs.size() && pairs[next].first == owned[o]; ++next)
+      near.push_back(pairs[next].second);
+    return near;
   }
 
 
@@ -203,13 +313,17 @@ namespace MortarContact
 
   template <int dim>
   void
-  ContactSweep<dim>::evaluate(const double share, const bool with_tangent)
+  ContactSweep<dim>::evaluate(const double share,
+                              const double time_step,
+                              const bool   with_tangent)
   {
     active.clear();
-    last_counts = {};
-    if (kernel.options.integration.rule == Integration::Rule::points)
+    last_counts    = {};
+    last_share     = share;
+    last_time_step = time_step;
+    if (kernel.options.integration.rule != Integration::Rule::segments)
       {
-        evaluate_points(share, with_tangent);
+        evaluate_points(with_tangent);
         return;
       }
 
@@ -221,8 +335,9 @@ namespace MortarContact
         const unsigned int        f     = owned[o];
         const ContactFacet<dim>  &facet = secondary.facets[f];
         const SecondaryFrame<dim> frame(facet.current);
-        const FacetOffset<dim>    offset  = offset_of(o, share);
-        const bool                dropped = is_released(o);
+        FacetSlip<dim>            slip;
+        const SecondaryState<dim> state   = state_of(o, slip);
+        const bool                dropped = has_no_contact(o);
         for (; next < pairs.size() && pairs[next].first == f; ++next)
           {
             const unsigned int p = pairs[next].second;
@@ -231,19 +346,17 @@ namespace MortarContact
             if (!dropped)
               kernel.evaluate_segments(frame,
                                        facet,
-                                       offset,
+                                       state,
                                        primary.facets[p],
+                                       primary_before(p),
                                        weight,
                                        with_tangent,
                                        block);
             count(block);
-            if (block.is_active())
-              {
-                if (with_tangent)
-                  kernel.finish(block);
-              }
-            else
+            if (!block.is_active())
               active.pop_back();
+            else if (with_tangent)
+              kernel.finish(block);
           }
       }
   }
@@ -251,27 +364,25 @@ namespace MortarContact
 
   template <int dim>
   void
-  ContactSweep<dim>::evaluate_points(const double share,
-                                     const bool   with_tangent)
+  ContactSweep<dim>::evaluate_points(const bool with_tangent)
   {
     unsigned int next = 0;
     for (unsigned int o = 0; o < owned.size() && next < pairs.size(); ++o)
       {
-        if (pairs[next].first != owned[o])
+        const std::vector<unsigned int> near = candidates_of(o, next);
+        if (near.empty() || has_no_contact(o))
           continue;
-        const unsigned int        f     = owned[o];
-        const ContactFacet<dim>  &facet = secondary.facets[f];
+        const unsigned int       f     = owned[o];
+        const ContactFacet<dim> &facet = secondary.facets[f];
+        if (obstacle != nullptr && !may_meet_obstacle(f))
+          continue;
         const SecondaryFrame<dim> frame(facet.current);
-        const FacetOffset<dim>    offset = offset_of(o, share);
-        const unsigned int        first  = next;
-        while (next < pairs.size() && pairs[next].first == f)
-          ++next;
-        if (is_released(o))
-          continue;
+        FacetSlip<dim>            slip;
+        const SecondaryState<dim> state = state_of(o, slip);
 
         const std::size_t first_active = active.size();
-        for (unsigned int k = first; k < next; ++k)
-          active.push_back({f, pairs[k].second, {}});
+        for (const unsigned int p : near)
+          active.push_back({f, p, {}});
 
         // each point belongs to the nearest facet that it hits
         for (const auto &[xi, w] :
@@ -279,28 +390,25 @@ namespace MortarContact
           {
             std::optional<typename PairKernel<dim>::Hit> best;
             unsigned int                                 best_pair = 0;
-            for (unsigned int k = first; k < next; ++k)
+            for (unsigned int k = 0; k < near.size(); ++k)
               {
-                const auto hit =
-                  kernel.hit(frame, xi, primary.facets[pairs[k].second]);
-                if (hit &&
-                    (!best || std::abs(hit->depth) < std::abs(best->depth)))
+                const auto found = hit(frame, xi, near[k]);
+                if (found &&
+                    (!best || std::abs(found->depth) < std::abs(best->depth)))
                   {
-                    best      = hit;
+                    best      = found;
                     best_pair = k;
                   }
               }
             if (best)
-              kernel.add_fixed_point(
-                frame,
-                facet,
-                offset,
-                primary.facets[pairs[best_pair].second],
-                xi,
-                best->eta,
-                weight * w,
-                with_tangent,
-                active[first_active + best_pair - first].block);
+              kernel.add_fixed_point(frame,
+                                     facet,
+                                     state,
+                                     primary_point(near[best_pair], *best),
+                                     xi,
+                                     weight * w,
+                                     with_tangent,
+                                     active[first_active + best_pair].block);
           }
 
         std::size_t kept = first_active;
@@ -322,6 +430,15 @@ namespace MortarContact
 
 
   template <int dim>
+  bool
+  ContactSweep<dim>::may_meet_obstacle(const unsigned int f) const
+  {
+    const Facet<dim> &facet = secondary.facets[f].current;
+    return !obstacle->is_far(centre(facet), diameter(facet) + last_reach);
+  }
+
+
+  template <int dim>
   std::optional<typename ContactSweep<dim>::Depth>
   ContactSweep<dim>::depth_at(const SecondaryFrame<dim>       &frame,
                               const PlanePoint<dim>           &xi,
@@ -334,10 +451,27 @@ namespace MortarContact
     double nearest_back = std::numeric_limits<double>::max();
     for (const unsigned int p : among)
       {
-        const auto hit = kernel.hit(frame, xi, primary.facets[p]);
-        if (!hit)
+        const auto found = hit(frame, xi, p);
+        if (!found)
           continue;
-        const double d = hit->depth + secondary.facets[f].surface_offset +
+        if (obstacle != nullptr)
+          {
+            const ContactFacet<dim> &s = secondary.facets[f];
+            const auto   N = shape_values<dim>(s.current.n_vertices, xi);
+            const double d = found->depth + s.surface_offset;
+            if (d <= deepest)
+              nearest =
+                Depth{d,
+                      kernel.point.combine(PairAlgebra::dot<dim>(N,
+                                                                 s.compliance),
+                                           PairAlgebra::dot<dim>(N, s.length),
+                                           0.,
+                                           0.),
+                      p,
+                      *found};
+            continue;
+          }
+        const double d = found->depth + secondary.facets[f].surface_offset +
                          primary.facets[p].surface_offset;
         const Tensor<1, dim> w      = centre_normal(primary.facets[p].current);
         const double         cosine = -(frame.normal * w) / w.norm();
@@ -349,7 +483,9 @@ namespace MortarContact
                           kernel.stiffness(secondary.facets[f],
                                            xi,
                                            primary.facets[p],
-                                           hit->eta)};
+                                           found->eta),
+                          p,
+                          *found};
       }
     // Between the surface and a point inside lies no back face: a point that
     // has passed one stands behind a wall, it does not penetrate it.
@@ -404,6 +540,10 @@ namespace MortarContact
     for (const auto &p : primary.facets)
       boxes.push_back(box_around(p.current));
     const BroadPhase<dim> broad_phase(boxes);
+    const PairFilter<dim> filter(secondary,
+                                 primary,
+                                 kernel.options.zero_cosine,
+                                 kernel.options.ceiling);
 
     InitialFindings<dim> findings;
     history.level.clear();
@@ -431,10 +571,11 @@ namespace MortarContact
         near.erase(std::remove_if(near.begin(),
                                   near.end(),
                                   [&](const unsigned int p) {
-                                    return PairFilter<dim>::share_vertex(
-                                      secondary, f, primary, p);
+                                    return filter.are_neighbours(f, p);
                                   }),
                    near.end());
+        if (obstacle != nullptr)
+          near = {0};
         if (near.empty())
           continue;
 
@@ -496,11 +637,16 @@ namespace MortarContact
   void
   ContactSweep<dim>::restore(const ContactHistory<dim> &saved)
   {
-    AssertThrow((saved.level.empty() || saved.level.size() == owned.size()) &&
-                  (saved.released.empty() ||
-                   saved.released.size() == owned.size()),
+    const auto fits = [&](const auto &entries) {
+      return entries.empty() || entries.size() == owned.size();
+    };
+    AssertThrow(fits(saved.level) && fits(saved.released) &&
+                  fits(saved.elastic_slip) && fits(saved.augmentation) &&
+                  fits(saved.tied) &&
+                  saved.elastic_slip.size() == history.elastic_slip.size(),
                 ExcMessage("The saved state belongs to another surface."));
     history       = saved;
+    augmentation  = saved.augmentation;
     deepest_level = 0.;
     for (const VertexValues<dim> &levels : history.level)
       for (const double level : levels)
@@ -523,21 +669,130 @@ namespace MortarContact
 
   template <int dim>
   void
+  ContactSweep<dim>::update_slip()
+  {
+    if (!kernel.point.has_friction())
+      return;
+    unsigned int next = 0;
+    for (unsigned int o = 0; o < owned.size(); ++o)
+      {
+        const std::vector<unsigned int> near = candidates_of(o, next);
+        const unsigned int              f    = owned[o];
+        const unsigned int        n = secondary.facets[f].current.n_vertices;
+        FacetSlip<dim>            slip;
+        const auto                state = state_of(o, slip);
+        const SecondaryFrame<dim> frame(secondary.facets[f].current);
+        const auto                points = material_points<dim>(n);
+        history.elastic_slip[o]          = {};
+        if (near.empty() || has_no_contact(o))
+          continue;
+        for (unsigned int q = 0; q < points.size(); ++q)
+          {
+            const auto at = depth_at(frame, points[q], f, near, reach(f));
+            if (!at)
+              continue;
+            const PointState<dim> s =
+              kernel.point.state_at(frame,
+                                    secondary.facets[f],
+                                    state,
+                                    primary_point(at->primary, at->hit),
+                                    points[q]);
+            history.elastic_slip[o][q] = s.elastic_slip;
+            history.sliding[o][q] += s.slip;
+          }
+      }
+    history.before = {{current_facets(secondary), current_facets(primary)}};
+  }
+
+
+  template <int dim>
+  std::vector<double>
+  ContactSweep<dim>::depths_at_points(const unsigned int o,
+                                      unsigned int      &next) const
+  {
+    const std::vector<unsigned int> near = candidates_of(o, next);
+    const unsigned int              f    = owned[o];
+    const unsigned int              n = secondary.facets[f].current.n_vertices;
+    const auto                      points = material_points<dim>(n);
+    std::vector<double>             depths(points.size(),
+                               std::numeric_limits<double>::lowest());
+    if (near.empty() || has_no_contact(o))
+      return depths;
+    FacetSlip<dim>            slip;
+    const SecondaryState<dim> state = state_of(o, slip);
+    const SecondaryFrame<dim> frame(secondary.facets[f].current);
+    for (unsigned int q = 0; q < points.size(); ++q)
+      if (const auto at = depth_at(frame, points[q], f, near, reach(f)))
+        depths[q] = kernel.point
+                      .state_at(frame,
+                                secondary.facets[f],
+                                state,
+                                primary_point(at->primary, at->hit),
+                                points[q])
+                      .penetration;
+    return depths;
+  }
+
+
+  template <int dim>
+  double
+  ContactSweep<dim>::penetration() const
+  {
+    double       largest_depth = 0.;
+    unsigned int next          = 0;
+    for (unsigned int o = 0; o < owned.size(); ++o)
+      {
+        const std::vector<double> depths = depths_at_points(o, next);
+        for (unsigned int q = 0; q < depths.size(); ++q)
+          if ((augmentation.empty() ? 0. : augmentation[o][q]) + depths[q] > 0.)
+            largest_depth = std::max(largest_depth, std::abs(depths[q]));
+      }
+    return largest_depth;
+  }
+
+
+  template <int dim>
+  void
+  ContactSweep<dim>::augment()
+  {
+    if (augmentation.empty())
+      augmentation.resize(owned.size(), VertexValues<dim>{});
+    unsigned int next = 0;
+    for (unsigned int o = 0; o < owned.size(); ++o)
+      {
+        const std::vector<double> depths = depths_at_points(o, next);
+        VertexValues<dim>         A      = {};
+        for (unsigned int q = 0; q < depths.size(); ++q)
+          A[q] = std::max(0., augmentation[o][q] + depths[q]);
+        augmentation[o] = A;
+      }
+  }
+
+
+  template <int dim>
+  void
+  ContactSweep<dim>::rollback()
+  {
+    augmentation = history.augmentation;
+  }
+
+
+  template <int dim>
+  void
   ContactSweep<dim>::commit(const bool                       track,
                             const std::vector<unsigned int> &released)
   {
+    update_slip();
+    history.augmentation = augmentation;
+    share_before         = last_share;
     if (history.level.empty() && history.released.empty() && released.empty())
       return;
 
     unsigned int next = 0;
     for (unsigned int o = 0; o < owned.size(); ++o)
       {
-        const unsigned int        f = owned[o];
-        std::vector<unsigned int> near;
-        while (next < pairs.size() && pairs[next].first < f)
-          ++next;
-        for (; next < pairs.size() && pairs[next].first == f; ++next)
-          near.push_back(pairs[next].second);
+        const unsigned int        f    = owned[o];
+        std::vector<unsigned int> near = candidates_of(o, next);
 
         const bool follows = track && !history.level.empty();
         if (!follows && !is_released(o))
@@ -546,7 +801,7 @@ namespace MortarContact
         // a released facet may have sunk out of reach: look at everything
         if (is_released(o))
           {
-            near.resize(primary.facets.size());
+            near.resize(obstacle != nullptr ? 1 : primary.facets.size());
             std::iota(near.begin(), near.end(), 0u);
           }
         const FacetDepths depths =
@@ -584,8 +839,10 @@ namespace MortarContact
                                const std::vector<Facet<dim>> &moved_p) const
   {
     double step = 1.;
-    if (owned.empty() || moved_p.empty())
+    if (owned.empty() || (moved_p.empty() && obstacle == nullptr))
       return step;
+    if (obstacle != nullptr)
+      return safe_step_to_obstacle(moved_s);
 
     std::vector<Box<dim>> boxes;
     for (unsigned int p = 0; p < moved_p.size(); ++p)
@@ -597,7 +854,8 @@ namespace MortarContact
     const BroadPhase<dim> broad_phase(boxes);
     const PairFilter<dim> filter(secondary,
                                  primary,
-                                 kernel.options.zero_cosine);
+                                 kernel.options.zero_cosine,
+                                 kernel.options.ceiling);
 
     for (const unsigned int f : owned)
       {
@@ -630,11 +888,39 @@ namespace MortarContact
               }
             gap -= facet.surface_offset + primary.facets[p].surface_offset;
             const double closing = advance - approach;
-            const double allowed =
-              std::max(gap, 0.) + safe_share * largest(facet);
+            const double allowed = std::max(gap, 0.) + safe_share * longest(f);
             if (gap > -reach(f) - diameter(other) && closing > allowed)
               step = std::min(step, allowed / closing);
           }
+      }
+    return step;
+  }
+
+
+  template <int dim>
+  double
+  ContactSweep<dim>::safe_step_to_obstacle(
+    const std::vector<Facet<dim>> &moved) const
+  {
+    double step = 1.;
+    for (const unsigned int f : owned)
+      {
+        if (!may_meet_obstacle(f))
+          continue;
+        const Facet<dim>         &facet = secondary.facets[f].current;
+        const SecondaryFrame<dim> frame(facet);
+        const auto                found =
+          hit(frame, reference_centre<dim>(facet.n_vertices), 0);
+        if (!found)
+          continue;
+        double advance = std::numeric_limits<double>::lowest();
+        for (unsigned int a = 0; a < facet.n_vertices; ++a)
+          advance =
+            std::max(advance, frame.normal * (moved[f].x[a] - facet.x[a]));
+        const double gap = -found->depth - secondary.facets[f].surface_offset;
+        const double allowed = std::max(gap, 0.) + safe_share * longest(f);
+        if (advance > allowed)
+          step = std::min(step, allowed / advance);
       }
     return step;
   }

@@ -64,10 +64,13 @@ namespace MortarContact
     for (unsigned int a = 0; a < f.n_vertices; ++a)
       dn[a] = (dw[a] - outer_product(normal, normal * dw[a])) / normal_length;
 
-    // Step 3: the basis, e_0 along the first edge.
-    const Tensor<1, dim> edge = f.x[1] - f.x[0];
-    basis[0]                  = edge - (edge * normal) * normal;
-    basis[0] /= basis[0].norm();
+    // Step 3: the basis, e_0 along the first tangent at the centre, which lies
+    // across n.
+    tangent_of     = shape_gradients<dim>(f.n_vertices,
+                                      reference_centre<dim>(f.n_vertices))[0];
+    basis[0]       = interpolate(f, tangent_of);
+    tangent_length = basis[0].norm();
+    basis[0] /= tangent_length;
     if constexpr (dim == 3)
       basis[1] = cross_product_3d(normal, basis[0]);
 
@@ -107,6 +110,19 @@ namespace MortarContact
               -basis[c][i] / facet.n_vertices - height * tilt[i];
         }
     return motion;
+  }
+
+
+  template <int dim>
+  FacetVector<dim>
+  SecondaryFrame<dim>::spin() const
+  {
+    FacetVector<dim> result = {};
+    if constexpr (dim == 3)
+      for (unsigned int a = 0; a < facet.n_vertices; ++a)
+        for (unsigned int i = 0; i < dim; ++i)
+          result[a * dim + i] = tangent_of[a] / tangent_length * basis[1][i];
+    return result;
   }
 
 

@@ -178,6 +178,7 @@ namespace MortarContact
                                       const ProjectedPrimary<dim> &primary,
                                       const VertexMotion<dim>     &vertices)
   {
+    motion_known        = true;
     const auto position = [&](const Side side, const unsigned int vertex) {
       return (side == Side::secondary) ? frame.y[vertex] : primary.y[vertex];
     };

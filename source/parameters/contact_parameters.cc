@@ -20,6 +20,12 @@ namespace MortarContact
                                                      "remove over time",
                                                      "remove over time deep"}};
 
+    const std::array<const char *, 5> kinds = {{"forming surface to surface",
+                                                "automatic surface to surface",
+                                                "automatic single surface",
+                                                "tied",
+                                                "tiebreak"}};
+
     /// Names joined for a selection pattern.
     template <class Names>
     std::string
@@ -57,19 +63,22 @@ namespace MortarContact
 
     prm.declare_entry(
       "Kind",
-      "automatic surface to surface",
-      Patterns::Selection(
-        "forming surface to surface|automatic surface to surface"),
-      "Forming: points on the secondary only, stiffness of the secondary. "
-      "Automatic: both sides in turn at half weight, so that it does not matter "
-      "which is which; twice the cost. "
-      "(FORMING_/AUTOMATIC_SURFACE_TO_SURFACE_MORTAR)");
+      kinds[static_cast<unsigned int>(d.kind)],
+      Patterns::Selection(alternatives(kinds)),
+      "Forming: points on the secondary only, stiffness of the secondary, "
+      "primary normals point to the secondary. Automatic surface to surface: "
+      "both sides in turn at half weight, so that it does not matter which is "
+      "which; twice the cost. Single surface: the secondary's parts against each "
+      "other and themselves. Tied: no relative motion. Tiebreak: tied until it "
+      "fails. (FORMING_, AUTOMATIC_SURFACE_TO_SURFACE_MORTAR, "
+      "AUTOMATIC_SINGLE_SURFACE_MORTAR, _MORTAR_TIED, _TIEBREAK_MORTAR)");
     prm.declare_entry(
       "Integration",
       "segments",
-      Patterns::Selection("segments|points"),
+      Patterns::Selection("segments|points|nodes"),
       "segments: over the overlaps of facets, exact for plane facets. points: "
-      "at points fixed on the secondary, without clipping; cheaper and rougher.");
+      "at points fixed on the secondary, without clipping; cheaper and rougher. "
+      "nodes: at the secondary's nodes (node-to-segment), for comparison.");
     prm.declare_entry("Degree",
                       std::to_string(d.integration.degree),
                       Patterns::Integer(2, 6),
@@ -123,10 +132,11 @@ namespace MortarContact
                       "half the characteristic length (PENMAX).");
     prm.declare_entry("Release",
                       "cut back",
-                      Patterns::Selection("report|cut back"),
+                      Patterns::Selection("report|cut back|never"),
                       "When a converged state exceeds the largest penetration: "
                       "report and drop the contact of these facets, or reject "
-                      "the step and cut it back.");
+                      "the step and cut it back. never: the pressure grows "
+                      "without bound before it is reached.");
     prm.declare_entry("Secondary offset",
                       "0.0",
                       Patterns::Double(),
@@ -158,6 +168,33 @@ namespace MortarContact
                       positive_or_zero,
                       "Upper bound of the initial penetrations for remove over "
                       "time deep [length]; deeper ones are an error (MPAR2).");
+    FrictionParameters::declare(prm);
+    TieParameters::declare(prm);
+    prm.declare_entry("Augmentation",
+                      "none",
+                      Patterns::Selection("none|Uzawa"),
+                      "Uzawa: repeat each step with the pressures it has found "
+                      "until penetrations are below the tolerance.");
+    prm.declare_entry("Penetration tolerance",
+                      "0.0",
+                      positive_or_zero,
+                      "Of Augmentation = Uzawa [length].");
+    prm.declare_entry("Largest number of augmentations",
+                      std::to_string(d.augmentation.most),
+                      Patterns::Integer(1, 1000),
+                      "Per step, then the step is rejected [-].");
+    prm.declare_entry("Tool normals",
+                      "check",
+                      Patterns::Selection("check|turn"),
+                      "Forming contact: facets of a rigid tool that point away "
+                      "from the blank are an error, or are turned.");
+    prm.declare_entry(
+      "Stiffness smoothing",
+      "0.0",
+      Patterns::Double(0., 0.5),
+      "Share of the characteristic length before touch at which "
+      "the tangent, not the force, starts [-]; 0: consistent. "
+      "For comparisons with node-to-segment contact.");
     prm.declare_entry("Penetration report every",
                       "1",
                       Patterns::Integer(0),
@@ -179,13 +216,14 @@ namespace MortarContact
   void
   ContactParameters::read(ParameterHandler &prm)
   {
-    kind               = (prm.get("Kind") == "forming surface to surface") ?
-                           Kind::forming_surface_to_surface :
-                           Kind::automatic_surface_to_surface;
-    integration.rule   = (prm.get("Integration") == "points") ?
-                           Integration::Rule::points :
-                           Integration::Rule::segments;
-    integration.degree = prm.get_integer("Degree");
+    for (unsigned int i = 0; i < kinds.size(); ++i)
+      if (prm.get("Kind") == kinds[i])
+        kind = static_cast<Kind>(i);
+    const std::string rule = prm.get("Integration");
+    integration.rule       = (rule == "points") ? Integration::Rule::points :
+                             (rule == "nodes")  ? Integration::Rule::nodes :
+                                                  Integration::Rule::segments;
+    integration.degree     = prm.get_integer("Degree");
     integration.points_per_direction = prm.get_integer("Points per direction");
     law                              = prm.get("Law");
     stiffness_scale                  = prm.get_double("Stiffness scale");
@@ -195,8 +233,18 @@ namespace MortarContact
     characteristic_length            = prm.get("Characteristic length");
     progressive_stiffening           = prm.get_double("Progressive stiffening");
     largest_penetration              = prm.get_double("Largest penetration");
-    release =
-      (prm.get("Release") == "report") ? Release::report : Release::cut_back;
+    const std::string at_release     = prm.get("Release");
+    release = (at_release == "report") ? Release::report :
+              (at_release == "never")  ? Release::never :
+                                         Release::cut_back;
+    friction.read(prm);
+    tie.read(prm);
+    augmentation.is_on     = prm.get("Augmentation") == "Uzawa";
+    augmentation.tolerance = prm.get_double("Penetration tolerance");
+    augmentation.most      = prm.get_integer("Largest number of augmentations");
+    tool_normals     = (prm.get("Tool normals") == "turn") ? ToolNormals::turn :
+                                                             ToolNormals::check;
+    smoothing        = prm.get_double("Stiffness smoothing");
     secondary_offset = prm.get_double("Secondary offset");
     primary_offset   = prm.get_double("Primary offset");
     for (unsigned int i = 0; i < treatments.size(); ++i)
@@ -248,6 +296,31 @@ namespace MortarContact
                 ExcMessage("'Stiffness' is " + std::to_string(modulus) +
                            "; expected a positive pressure, or 0."));
     (void)explicit_length();
+    friction.check();
+    tie.check(has_ties(), kind == Kind::tiebreak);
+    AssertThrow(kind != Kind::tied || !friction.is_on(),
+                ExcMessage(
+                  "'Friction coefficient' is set but 'Kind' is 'tied'; "
+                  "a tied interface cannot slip. Remove one of them."));
+    AssertThrow(!has_ties() ||
+                  initial_penetration == InitialPenetration::stress,
+                ExcMessage(treatment + " but 'Kind' is '" +
+                           kinds[static_cast<unsigned int>(kind)] +
+                           "'; ties are free of stress at the start. Remove "
+                           "one of them."));
+    AssertThrow(augmentation.is_on == (augmentation.tolerance > 0.),
+                ExcMessage("'Augmentation' is '" +
+                           std::string(augmentation.is_on ? "Uzawa" : "none") +
+                           "' but 'Penetration tolerance' is " +
+                           std::to_string(augmentation.tolerance) +
+                           "; expected a positive tolerance with Uzawa, and "
+                           "none without."));
+    AssertThrow(!augmentation.is_on || !has_ties(),
+                ExcMessage("'Augmentation' is 'Uzawa' but 'Kind' has ties; it "
+                           "acts on contact pressures only."));
+    AssertThrow(smoothing == 0. || integration.rule == Integration::Rule::nodes,
+                ExcMessage("'Stiffness smoothing' is set but 'Integration' is "
+                           "not 'nodes'. Remove one of them."));
     AssertThrow(
       largest_penetration == 0. || characteristic_length != "shortest edge",
       ExcMessage("'Largest penetration' is set and 'Characteristic length' is "
@@ -268,6 +341,22 @@ namespace MortarContact
                StiffnessSide::series;
     return (stiffness_side == "secondary") ? StiffnessSide::secondary :
                                              StiffnessSide::series;
+  }
+
+
+  unsigned int
+  ContactParameters::n_sweeps() const
+  {
+    switch (kind)
+      {
+        case Kind::automatic_surface_to_surface:
+        case Kind::tiebreak:
+          return 2;
+        case Kind::tied:
+          return 0;
+        default:
+          return 1;
+      }
   }
 
 

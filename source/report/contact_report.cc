@@ -27,6 +27,14 @@ namespace MortarContact
     out << "'" << name << "': " << active_pairs << " pairs, force "
         << force.norm() << ", penetration " << largest_penetration << " ("
         << 100. * relative_penetration << " % of release)";
+    if (slip_area > 0.)
+      out << ", " << 100. * slip_area / active_area << " % slips";
+    if (initial.tied_area > 0.)
+      out << ", ties " << 100. * whole_tied_area / initial.tied_area
+          << " % whole, " << 100. * failed_tied_area / initial.tied_area
+          << " % failed";
+    if (n_augmentations > 0)
+      out << ", " << n_augmentations << " augmentations";
     if (n_too_deep > 0)
       out << ", " << n_too_deep << " facets beyond release";
     if (n_released > 0)
@@ -43,11 +51,31 @@ namespace MortarContact
     out << "Interface '" << name << "'\n";
     const char *const sides[2] = {"secondary", "primary"};
     for (unsigned int s = 0; s < 2; ++s)
-      out << "  " << sides[s] << ": " << initial.n_side_facets[s]
-          << " facets, contact modulus " << initial.lowest_modulus[s] << " to "
-          << initial.highest_modulus[s] << ", characteristic length "
-          << initial.lowest_length[s] << " to " << initial.highest_length[s]
-          << "\n";
+      if (initial.highest_modulus[s] == 0.)
+        {
+          if (initial.n_side_facets[s] > 0)
+            out << "  " << sides[s] << ": " << initial.n_side_facets[s]
+                << " facets, rigid\n";
+        }
+      else
+        out << "  " << sides[s] << ": " << initial.n_side_facets[s]
+            << " facets, contact modulus " << initial.lowest_modulus[s]
+            << " to " << initial.highest_modulus[s]
+            << ", characteristic length " << initial.lowest_length[s] << " to "
+            << initial.highest_length[s] << "\n";
+    if (initial.n_turned > 0)
+      out << "  " << initial.n_turned << " tool facets turned over\n";
+    if (initial.secondary_area > 0.)
+      {
+        out << "  tied: " << 100. * initial.tied_area / initial.secondary_area
+            << " % of the secondary's area, largest gap "
+            << initial.largest_tied_gap << "\n";
+        if (initial.n_free_facets > 0)
+          out << "  NOTE: " << initial.n_free_facets
+              << " secondary facets are not tied: nothing lies within 'Tie "
+                 "tolerance'\n";
+        return out.str();
+      }
     if (initial.n_facets == 0 && initial.n_undetected == 0)
       out << "  no initial penetrations\n";
     if (initial.n_facets > 0)

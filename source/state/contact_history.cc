@@ -64,4 +64,33 @@ namespace MortarContact
                far_weight * far_weight * f[(a + 2) % 4];
     return v;
   }
+
+
+  template <int dim>
+  std::array<PlanePoint<dim>, max_vertices<dim>>
+  extrapolate_to_vertices(
+    const unsigned int                                    n_vertices,
+    const std::array<PlanePoint<dim>, max_vertices<dim>> &at_points)
+  {
+    std::array<PlanePoint<dim>, max_vertices<dim>> result;
+    for (unsigned int c = 0; c < dim - 1; ++c)
+      {
+        VertexValues<dim> component = {};
+        for (unsigned int q = 0; q < max_vertices<dim>; ++q)
+          component[q] = at_points[q][c];
+        component = extrapolate_to_vertices<dim>(n_vertices, component);
+        for (unsigned int a = 0; a < max_vertices<dim>; ++a)
+          result[a][c] = component[a];
+      }
+    return result;
+  }
+
+  template std::array<PlanePoint<2>, max_vertices<2>>
+  extrapolate_to_vertices<2>(
+    const unsigned int,
+    const std::array<PlanePoint<2>, max_vertices<2>> &);
+  template std::array<PlanePoint<3>, max_vertices<3>>
+  extrapolate_to_vertices<3>(
+    const unsigned int,
+    const std::array<PlanePoint<3>, max_vertices<3>> &);
 } // namespace MortarContact

@@ -5,77 +5,17 @@
 #include <Sacado.hpp>
 #include <gtest/gtest.h>
 
+#include "../support/facet_pair.h"
 #include "../support/oracle.h"
 
 #include <random>
 
 using namespace MortarContact;
+using namespace Test;
 
 namespace
 {
   using AD = Sacado::Fad::SFad<double, 24>;
-
-  /// A secondary and a primary facet that overlap, warped, tilted and with
-  /// varying stiffness; @p penetration is the distance of their centres.
-  struct Pair3d
-  {
-    ContactFacet<3> secondary, primary;
-    FacetOffset<3>  offset;
-
-    Pair3d(const unsigned int n_s,
-           const unsigned int n_p,
-           const double       penetration,
-           const double       tilt,
-           const unsigned int seed)
-    {
-      std::mt19937                           rng(seed);
-      std::uniform_real_distribution<double> u(-1., 1.);
-      const auto make = [&](ContactFacet<3> &f, const unsigned int n) {
-        const double corners[4][2] = {{-.5, -.5},
-                                      {.5, -.5},
-                                      {.5, .5},
-                                      {-.5, .5}};
-        f.current.n_vertices = f.reference.n_vertices = n;
-        for (unsigned int a = 0; a < n; ++a)
-          {
-            const unsigned int c = (n == 3 && a == 2) ? 3 : a;
-            for (unsigned int i = 0; i < 2; ++i)
-              f.current.x[a][i] = corners[c][i] + 0.08 * u(rng);
-            f.current.x[a][2] = 0.02 * u(rng);
-            for (unsigned int i = 0; i < 3; ++i)
-              f.reference.x[a][i] = f.current.x[a][i] * (1. + 0.05 * u(rng));
-            // steep pairs reach deep: long enough for all points to count
-            f.length[a]     = (tilt > 1. ? 2. : 0.1) * (1. + 0.1 * u(rng));
-            f.compliance[a] = 1e-4 * (1. + 0.1 * u(rng));
-          }
-      };
-      make(secondary, n_s);
-      make(primary, n_p);
-      // the primary faces down, turned and shifted in the plane, tilted
-      const double angle = 0.4;
-      for (unsigned int a = 0; a < n_p; ++a)
-        {
-          Tensor<1, 3> &x = primary.current.x[a];
-          Tensor<1, 3>  y;
-          y[0] = std::cos(angle) * x[0] - std::sin(angle) * x[1] + 0.23;
-          y[1] = -(std::sin(angle) * x[0] + std::cos(angle) * x[1]) + 0.11;
-          y[2] = -x[2];
-          x[0] = std::cos(tilt) * y[0] - std::sin(tilt) * y[2];
-          x[1] = y[1];
-          x[2] = std::sin(tilt) * y[0] + std::cos(tilt) * y[2] - penetration;
-        }
-      offset.level = {{0.004, 0.006, 0.005, 0.003}};
-      offset.share = 0.5;
-    }
-
-    void
-    rotate(const Tensor<2, 3> &Q)
-    {
-      for (ContactFacet<3> *f : {&secondary, &primary})
-        for (auto &x : f->current.x)
-          x = Q * x;
-    }
-  };
 
   PairBlock<3>
   evaluate(const PairKernel<3> &kernel,
@@ -87,6 +27,7 @@ namespace
                              pair.secondary,
                              pair.offset,
                              pair.primary,
+                             nullptr,
                              1.,
                              tangent,
                              block);
@@ -137,29 +78,6 @@ namespace
     return o;
   }
 
-  double
-  norm(const PairVector<3> &v)
-  {
-    double s = 0.;
-    for (const double x : v)
-      s += x * x;
-    return std::sqrt(s);
-  }
-
-  Tensor<2, 3>
-  rotation(const double a, const double b)
-  {
-    Tensor<2, 3> Rz = Tensor<2, 3>(), Rx = Tensor<2, 3>();
-    Rz[0][0] = Rz[1][1] = std::cos(a);
-    Rz[1][0]            = std::sin(a);
-    Rz[0][1]            = -std::sin(a);
-    Rz[2][2]            = 1.;
-    Rx[1][1] = Rx[2][2] = std::cos(b);
-    Rx[2][1]            = std::sin(b);
-    Rx[1][2]            = -std::sin(b);
-    Rx[0][0]            = 1.;
-    return Rz * Rx;
-  }
 } // namespace
 
 
@@ -179,7 +97,7 @@ TEST_P(PairKernelShapes, TangentIsTheExactDerivativeOfTheDiscreteResidual)
           const PaperLaw law(PressureCurve::parabola_linear, 0.1, igap);
           KernelOptions  options = exact();
           options.stiffness_side = side;
-          const PairKernel<3> kernel(law, options);
+          const PairKernel<3> kernel(law, nullptr, options);
           const Pair3d        pair(n_s, n_p, 0.04, tilt, seed);
           const auto          block = evaluate(kernel, pair);
           const auto          ad    = oracle<AD>(kernel, pair, igap);
@@ -214,7 +132,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(PairKernel, TangentIsTheDerivativeOfTheResidualByDifferences)
 {
   const PaperLaw      law(PressureCurve::parabola_linear, 0.1, 10.);
-  const PairKernel<3> kernel(law, exact());
+  const PairKernel<3> kernel(law, nullptr, exact());
   const Pair3d        pair(4, 4, 0.03, 0.03, 7);
   const auto          block = evaluate(kernel, pair);
   double              best  = 1.;
@@ -246,7 +164,7 @@ TEST(PairKernel, TangentIsTheDerivativeOfTheResidualByDifferences)
 TEST(PairKernel, ForcesAndMomentsAreInBalanceToRoundOff)
 {
   const PaperLaw      law(PressureCurve::parabola_linear, 0.1);
-  const PairKernel<3> kernel(law, KernelOptions());
+  const PairKernel<3> kernel(law, nullptr, KernelOptions());
   for (const unsigned int n_s : {3u, 4u})
     for (const unsigned int n_p : {3u, 4u})
       for (unsigned int seed = 0; seed < 10; ++seed)
@@ -271,7 +189,7 @@ TEST(PairKernel, ForcesAndMomentsAreInBalanceToRoundOff)
 TEST(PairKernel, ForcesTurnWithTheFacets)
 {
   const PaperLaw      law(PressureCurve::parabola_linear, 0.1);
-  const PairKernel<3> kernel(law, exact());
+  const PairKernel<3> kernel(law, nullptr, exact());
   for (const double angle : {0.3, 1.5707963267948966, 3.1})
     {
       Pair3d     pair(4, 4, 0.03, 0.1, 3);
@@ -339,10 +257,10 @@ TEST(PairKernel, UniformDepthOnPlaneFacetsGivesPressureTimesOverlap)
   const PaperLaw law(PressureCurve::parabola_linear, 0.1);
   KernelOptions  options;
   options.stiffness_side = StiffnessSide::secondary;
-  const PairKernel<3> kernel(law, options);
+  const PairKernel<3> kernel(law, nullptr, options);
   PairBlock<3>        block;
   kernel.evaluate_segments(
-    SecondaryFrame<3>(s.current), s, {}, p, 1., true, block);
+    SecondaryFrame<3>(s.current), s, {}, p, nullptr, 1., true, block);
   // d = 0.02, x = 0.02/(0.03*0.1) = 6.67, f = 5.667, p = 0.1*0.03*1000 f = 17
   double force = 0.;
   for (unsigned int a = 0; a < 4; ++a)
@@ -367,11 +285,11 @@ TEST(PairKernel, LinearPenetrationIsIntegratedExactly)
   KernelOptions  options;
   options.stiffness_side     = StiffnessSide::secondary;
   options.integration.degree = 4;
-  const PairKernel<2>     kernel(law, options);
+  const PairKernel<2>     kernel(law, nullptr, options);
   PairBlock<2>            block;
   const SecondaryFrame<2> frame(s.current);
   EXPECT_NEAR(frame.normal[1], 1., 1e-15);
-  kernel.evaluate_segments(frame, s, {}, p, 1., true, block);
+  kernel.evaluate_segments(frame, s, {}, p, nullptr, 1., true, block);
   double force = 0.;
   for (unsigned int a = 0; a < 2; ++a)
     force += block.residual[2 * a + 1];
@@ -388,9 +306,9 @@ TEST(PairKernel, ResidualOfAFixedPointIsTheGradientOfItsDepth)
   const PaperLaw law(PressureCurve::linear, 0.1);
   KernelOptions  options   = exact();
   options.integration.rule = Integration::Rule::points;
-  const PairKernel<3> kernel(law, options);
+  const PairKernel<3> kernel(law, nullptr, options);
   Pair3d              pair(4, 4, 0.03, 0.2, 5);
-  pair.offset = {};
+  pair.offset = SecondaryState<3>();
   const PlanePoint<3> xi({0.4, 0.55});
   const auto          depth = [&](const Pair3d &q) {
     return kernel.hit(SecondaryFrame<3>(q.secondary.current), xi, q.primary)
@@ -400,8 +318,14 @@ TEST(PairKernel, ResidualOfAFixedPointIsTheGradientOfItsDepth)
   const auto              hit = kernel.hit(frame, xi, pair.primary);
   ASSERT_TRUE(hit);
   PairBlock<3> block;
-  kernel.add_fixed_point(
-    frame, pair.secondary, {}, pair.primary, xi, hit->eta, 1., false, block);
+  kernel.add_fixed_point(frame,
+                         pair.secondary,
+                         {},
+                         kernel.primary_point(pair.primary, nullptr, hit->eta),
+                         xi,
+                         1.,
+                         false,
+                         block);
   const double h = 1e-5;
   for (unsigned int j = 0; j < 24; ++j)
     {

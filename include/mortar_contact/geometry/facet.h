@@ -44,6 +44,13 @@ namespace MortarContact
     unsigned int n_vertices = max_vertices<dim>;
     /// Positions of the vertices [length of the mesh].
     std::array<Tensor<1, dim>, max_vertices<dim>> x = {};
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &n_vertices &x;
+    }
   };
 
   /// Numbers per vertex of one facet; entries beyond n_vertices are zero.

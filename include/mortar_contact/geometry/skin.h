@@ -35,6 +35,9 @@ namespace MortarContact
     /// the same number, also across skins of one interface.
     std::vector<std::array<unsigned int, max_vertices<dim>>> vertices;
 
+    /// Numbers of the parts that the facets belong to.
+    std::vector<unsigned int> parts;
+
     /// Whether this rank integrates over the facet where the skin is secondary.
     std::vector<char> is_owned;
   };

@@ -5,6 +5,7 @@
 #include <mortar_contact/host/dealii_compat.h>
 #include <mortar_contact/host/surface_extractor.h>
 #include <mortar_contact/mortar/contact_sweep.h>
+#include <mortar_contact/mortar/tie_sweep.h>
 #include <mortar_contact/parameters/contact_parameters.h>
 #include <mortar_contact/report/contact_report.h>
 
@@ -82,6 +83,20 @@ namespace MortarContact
                 const DoFNumbering       &numbering       = {},
                 const unsigned int        first_component = 0);
 
+    /// Add a rigid body with facets to the secondary surface.
+    void
+    add_secondary(const std::shared_ptr<RigidBody<dim>> &body);
+
+    /// Add a rigid body to the primary surface. One with a smooth surface must
+    /// be all of it.
+    void
+    add_primary(const std::shared_ptr<RigidBody<dim>> &body);
+
+    /// A friction law of the host's own instead of that of the parameters;
+    /// before setup().
+    void
+    set_friction_law(std::unique_ptr<FrictionLaw> law);
+
     /**
      * Build the surfaces in the undeformed configuration, find and treat
      * initial penetrations: see report().initial.
@@ -131,6 +146,14 @@ namespace MortarContact
     template <class VectorType>
     double
     largest_safe_step(const VectorType &u, const VectorType &du);
+
+    /**
+     * One augmentation of the last update(), taken as converged.
+     * @return True if penetrations were above the tolerance: solve the step
+     * again. Always false without augmentation.
+     */
+    bool
+    augment();
 
     /// Whether the last update(), taken as converged, may be committed.
     StepAdvice
@@ -198,6 +221,36 @@ namespace MortarContact
       return sweeps.size();
     }
 
+    /// Ties; null for kinds without.
+    const TieSweep<dim> *
+    ties() const
+    {
+      return tie_sweep.get();
+    }
+
+    /// Surface of a sweep's secondary (@p role 0) and primary (1).
+    unsigned int
+    side_of(const unsigned int sweep, const unsigned int role) const
+    {
+      if (parameters.kind == ContactParameters::Kind::automatic_single_surface)
+        return 0;
+      return (role == 0) ? sweep : 1 - sweep;
+    }
+
+    /// Call function(sweep, pair) for all pairs with forces of this rank; ties
+    /// count to sweep 0.
+    template <class Function>
+    void
+    for_each_pair(const Function &function) const
+    {
+      for (unsigned int i = 0; i < sweeps.size(); ++i)
+        for (const auto &pair : sweeps[i]->active_pairs())
+          function(i, pair);
+      if (tie_sweep)
+        for (const auto &pair : tie_sweep->active_pairs())
+          function(0u, pair);
+    }
+
   private:
     void
     add(const unsigned int        side,
@@ -210,7 +263,27 @@ namespace MortarContact
         const unsigned int        first_component);
 
     void
+    add_rigid(const unsigned int                     side,
+              const std::shared_ptr<RigidBody<dim>> &body);
+
+    /// Forget the surfaces of an earlier setup().
+    void
+    begin_adding();
+
+    void
     build_surface(const unsigned int side);
+
+    /// Forming contact: the rigid facets of the primary point to the secondary.
+    void
+    check_tool_normals();
+
+    /// Facets that ties hold have no contact.
+    void
+    exclude_tied_facets();
+
+    /// Penetration at which a converged state is not accepted, share of l.
+    double
+    deepest_share() const;
 
     void
     detect_initial_penetrations();
@@ -243,6 +316,13 @@ namespace MortarContact
               const unsigned int p,
               const unsigned int a) const;
 
+    /// Whether vertex @p a of a pair, counted as in PairVector, exists.
+    bool
+    has_vertex(const unsigned int sweep,
+               const unsigned int s,
+               const unsigned int p,
+               const unsigned int a) const;
+
     /// Dofs of a pair, without repetition.
     std::vector<types::global_dof_index>
     dofs_of(const unsigned int sweep,
@@ -260,11 +340,19 @@ namespace MortarContact
 
     const MPI_Comm                                  communicator;
     std::unique_ptr<PressureLaw>                    law;
+    std::unique_ptr<FrictionLaw>                    friction;
     std::vector<SurfaceFacet<dim>>                  extracted[2];
     ContactSurface<dim>                             surfaces[2];
+    std::shared_ptr<RigidBody<dim>>                 obstacle; ///< Primary.
+    std::vector<std::shared_ptr<RigidBody<dim>>>    rigid_bodies;
     std::vector<std::unique_ptr<ContactSweep<dim>>> sweeps;
+    std::unique_ptr<TieSweep<dim>>                  tie_sweep;
     ContactReport                                   last_report;
     bool                                            pattern_is_current = false;
+    bool         is_set_up        = false; ///< The next add_..() starts anew.
+    double       committed_time   = 0.;    ///< Of the last commit() [s]
+    double       dissipation      = 0.;    ///< By friction until then [J]
+    unsigned int n_rigid_vertices = 0;
 
     std::vector<types::global_dof_index> dofs;   ///< Of both surfaces, sorted.
     std::vector<double>                  values; ///< Of these dofs.

@@ -31,6 +31,8 @@ namespace MortarContact
                                 const bool        with_tangent)
   {
     fetch(u);
+    for (const auto &body : rigid_bodies)
+      body->move(time);
     for (auto &surface : surfaces)
       surface.move([&](const auto dof) { return value(dof); });
     evaluate(time, with_tangent);
@@ -47,6 +49,11 @@ namespace MortarContact
     for (unsigned int i = 0; i < sweeps.size(); ++i)
       for (const auto &[s, p] : sweeps[i]->candidates())
         constraints.add_entries_local_to_global(dofs_of(i, s, p),
+                                                sparsity,
+                                                false);
+    if (tie_sweep)
+      for (const auto &[s, p] : tie_sweep->candidates())
+        constraints.add_entries_local_to_global(dofs_of(0, s, p),
                                                 sparsity,
                                                 false);
     pattern_is_current            = true;
@@ -67,13 +74,11 @@ namespace MortarContact
     std::vector<types::global_dof_index> pair_dofs;
     Vector<double>                       forces;
     FullMatrix<double>                   tangent;
-    for (unsigned int i = 0; i < sweeps.size(); ++i)
-      for (const auto &pair : sweeps[i]->active_pairs())
-        {
-          distribute_pair(i, pair, true, pair_dofs, forces, tangent);
-          constraints.distribute_local_to_global(
-            tangent, forces, pair_dofs, matrix, rhs);
-        }
+    for_each_pair([&](const unsigned int i, const auto &pair) {
+      distribute_pair(i, pair, true, pair_dofs, forces, tangent);
+      constraints.distribute_local_to_global(
+        tangent, forces, pair_dofs, matrix, rhs);
+    });
   }
 
 
@@ -87,12 +92,10 @@ namespace MortarContact
     std::vector<types::global_dof_index> pair_dofs;
     Vector<double>                       forces;
     FullMatrix<double>                   tangent;
-    for (unsigned int i = 0; i < sweeps.size(); ++i)
-      for (const auto &pair : sweeps[i]->active_pairs())
-        {
-          distribute_pair(i, pair, false, pair_dofs, forces, tangent);
-          constraints.distribute_local_to_global(forces, pair_dofs, rhs);
-        }
+    for_each_pair([&](const unsigned int i, const auto &pair) {
+      distribute_pair(i, pair, false, pair_dofs, forces, tangent);
+      constraints.distribute_local_to_global(forces, pair_dofs, rhs);
+    });
   }
 
 
@@ -117,7 +120,9 @@ namespace MortarContact
 
     double step = 1.;
     for (unsigned int i = 0; i < sweeps.size(); ++i)
-      step = std::min(step, sweeps[i]->safe_step(moved[i], moved[1 - i]));
+      step = std::min(step,
+                      sweeps[i]->safe_step(moved[side_of(i, 0)],
+                                           moved[side_of(i, 1)]));
     return Utilities::MPI::min(step, communicator);
   }
 

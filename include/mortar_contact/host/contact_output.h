@@ -16,11 +16,22 @@ namespace MortarContact
     Facet<dim> reference;
     /// Contact pressure at the vertices, Cauchy: contact force per present
     /// area, positive; zero without contact [Pa].
-    VertexValues<dim> pressure    = {};
-    double            penetration = 0.; ///< Deepest on the facet [m]
-    double            relative    = 0.; ///< Over the release depth [-]
-    unsigned int      side        = 0;  ///< 0 secondary, 1 primary.
-    FacetLabel        label;
+    VertexValues<dim> pressure = {};
+    /// Tangential traction at the vertices, by friction and ties [Pa].
+    VertexValues<dim> shear = {};
+
+    enum class Status
+    {
+      open,
+      stick, ///< Or in contact without friction.
+      slip,  ///< Some of it.
+      tied
+    };
+    Status       status      = Status::open;
+    double       penetration = 0.; ///< Deepest on the facet [m]
+    double       relative    = 0.; ///< Over the release depth [-]
+    unsigned int side        = 0;  ///< 0 secondary, 1 primary.
+    FacetLabel   label;
   };
 
   /**

@@ -3,12 +3,14 @@
 #define mortar_contact_host_contact_surface_h
 
 #include <mortar_contact/geometry/skin.h>
+#include <mortar_contact/host/rigid_body.h>
 #include <mortar_contact/report/contact_report.h>
 
 #include <deal.II/base/types.h>
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace MortarContact
@@ -17,7 +19,8 @@ namespace MortarContact
    * One row of the vertex map: the position of a vertex is
    *   x = X + sum_k w_k u(dofs_k),
    * dofs_k the global numbers of the dim displacement components of a node.
-   * The first entry is the node that the vertex belongs to.
+   * The first entry is the node that the vertex belongs to. Vertices of rigid
+   * bodies have no entries.
    */
   template <int dim>
   struct SurfaceVertex
@@ -38,18 +41,24 @@ namespace MortarContact
     Tensor<1, dim>     reference; ///< X [m]
     std::vector<Entry> row;
 
-    /// The same for the same vertex on all cells and ranks.
+    /// Rigid body of the surface, see ContactSurface::rigid_bodies, and its
+    /// vertex; for vertices without entries.
+    unsigned int rigid_body = 0, rigid_vertex = 0;
+
+    /// The same for the same vertex on all cells and ranks. Rigid vertices
+    /// count from above.
     types::global_dof_index
     key() const
     {
-      return row.front().dofs[0];
+      return row.empty() ? numbers::invalid_dof_index - 1 - rigid_vertex :
+                           row.front().dofs[0];
     }
 
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &reference &row;
+      archive &reference &row &rigid_body &rigid_vertex;
     }
   };
 
@@ -60,10 +69,10 @@ namespace MortarContact
     unsigned int                                      n_vertices = 0;
     std::array<SurfaceVertex<dim>, max_vertices<dim>> vertices;
     FacetLabel                                        label;
-    unsigned int face          = 0;  ///< Face of the cell, and
-    unsigned int subfacet      = 0;  ///< part of the face.
-    double       modulus       = 0.; ///< K of the cell's material [Pa]
-    double       length        = 0.; ///< Height of the cell over the face [m]
+    unsigned int face     = 0;  ///< Face of the cell, and
+    unsigned int subfacet = 0;  ///< part of the face.
+    double       modulus  = 0.; ///< K of the cell's material [Pa]; 0: rigid
+    double       length   = 0.; ///< Height of the cell over the face [m]
     double       shortest_edge = 0.; ///< Of the part [m]
     unsigned int owner         = 0;  ///< Rank
 
@@ -121,7 +130,11 @@ namespace MortarContact
 
     Skin<dim>               skin;
     std::vector<FacetLabel> labels;
-    std::vector<double>     cell_modulus, cell_length; ///< By facet.
+    /// By facet; zero where rigid.
+    std::vector<double> cell_modulus, cell_length;
+
+    /// Whose facets have no dofs.
+    std::vector<std::shared_ptr<RigidBody<dim>>> rigid_bodies;
 
   private:
     Tensor<1, dim>

@@ -21,7 +21,8 @@ namespace MortarContact
   make_pressure_law(const std::string &name,
                     const double       scale,
                     const double       stiffening,
-                    const double       largest_penetration);
+                    const double       largest_penetration,
+                    const bool         barrier = false);
 } // namespace MortarContact
 
 #endif

@@ -28,6 +28,11 @@ namespace MortarContact
    * Beyond the largest penetration the law goes on along its tangent: iterates
    * may go there, converged states may not (see ContactInterface).
    *
+   * As a barrier ("never release") s^3 is replaced by s^3/(1 - s), times
+   * max(IGAP - 1, 1) f0(x_m): no finite pressure reaches the largest
+   * penetration. From s = 0.99 on, where pressures are 97 f0(x_m) and more, it
+   * goes on along its tangent, so that iterates may pass.
+   *
    * Default numbers: p(2 eps l) = alpha eps K, p(l/4) = 0.22 alpha K,
    * p(l/2) = 0.47 alpha K, plateau stiffness alpha K / l.
    */
@@ -38,13 +43,18 @@ namespace MortarContact
      * @param scale       alpha = SFS * SLSFAC, positive.
      * @param stiffening  IGAP >= 1; 1 means none.
      * @param largest     Largest penetration as a share of l, in (0, 1]: 1/2.
+     * @param barrier     Whether no pressure reaches the largest penetration.
      * @param width       eps, width of the smooth start as a share of l: 0.03.
      */
     PaperLaw(const PressureCurve curve,
              const double        scale,
              const double        stiffening = 1.,
              const double        largest    = 0.5,
-             const double        width      = 0.03);
+             const double        width      = 0.03,
+             const bool          barrier    = false);
+
+    /// Start of the continuation of a barrier, as s.
+    static constexpr double barrier_end = 0.99;
 
     NormalResponse
     normalised(const double depth) const override;
@@ -53,15 +63,17 @@ namespace MortarContact
     inverse(const double pressure) const override;
 
   private:
-    /// f and its integral and derivative for 0 <= x <= x_m.
+    /// f and its integral and derivative for 0 <= x <= x_end.
     NormalResponse
     curve_at(const double x) const;
 
     PressureCurve  curve;
     double         scale, width;
-    double         x_q, x_m;   ///< Start and end of stiffening.
-    double         cubic;      ///< (IGAP - 1) f0(x_m).
-    NormalResponse at_largest; ///< f at x_m.
+    bool           barrier;
+    double         x_q, x_m; ///< Start and end of stiffening.
+    double         x_end;    ///< Start of the continuation.
+    double         cubic;    ///< (IGAP - 1) f0(x_m), or the barrier's factor.
+    NormalResponse at_end;   ///< f at x_end.
   };
 } // namespace MortarContact
 

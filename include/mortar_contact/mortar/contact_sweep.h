@@ -64,10 +64,14 @@ namespace MortarContact
       double       overlap      = 0.;
     };
 
+    /// @param friction Null: none, and nothing of it is stored.
+    /// @param obstacle Primary without facets; null: the skin @p primary.
     /// @param weight Share of the contact energy: 1, or 1/2 for each of two.
     ContactSweep(const Skin<dim>     &secondary,
                  const Skin<dim>     &primary,
+                 const Obstacle<dim> *obstacle,
                  const PressureLaw   &law,
+                 const FrictionLaw   *friction,
                  const KernelOptions &options,
                  const double         weight);
 
@@ -80,7 +84,7 @@ namespace MortarContact
     void
     search();
 
-    /// [secondary, primary], ascending.
+    /// [secondary, primary], ascending; an obstacle counts as primary 0.
     const std::vector<std::pair<unsigned int, unsigned int>> &
     candidates() const
     {
@@ -93,8 +97,11 @@ namespace MortarContact
 
     /// Evaluate all candidates in the present configuration.
     /// @param share What is left of the initial penetrations.
+    /// @param time_step Since the last commit() [s]; zero: unknown.
     void
-    evaluate(const double share, const bool with_tangent);
+    evaluate(const double share,
+             const double time_step,
+             const bool   with_tangent);
 
     const std::vector<ActivePair> &
     active_pairs() const
@@ -114,9 +121,36 @@ namespace MortarContact
 
     /// Accept the present configuration: follow openings if @p track, drop the
     /// contact of the facets in @p released, re-admit released facets that have
-    /// opened.
+    /// opened, keep slip and augmentation.
     void
     commit(const bool track, const std::vector<unsigned int> &released);
+
+    /// Forget what was augmented since the last commit().
+    void
+    rollback();
+
+    /**
+     * One step of Uzawa's method: pressures become those that act, depths
+     * start again from zero. The pressure p at a material point is kept as the
+     * depth A that gives it, p = law(d + A): A <- max(0, A + d).
+     */
+    void
+    augment();
+
+    /// Largest |d| at the material points in contact (d + A > 0) [m].
+    double
+    penetration() const;
+
+    /// Hold facets by ties, or let go of them: held facets have no contact.
+    void
+    set_tied(const std::vector<char> &by_owned_facet);
+
+    /// The secondary facets of this rank.
+    const std::vector<unsigned int> &
+    owned_facets() const
+    {
+      return owned;
+    }
 
     /**
      * Largest factor in (0, 1] for a motion of all facets by which no facet
@@ -139,23 +173,61 @@ namespace MortarContact
     restore(const ContactHistory<dim> &saved);
 
   private:
-    FacetOffset<dim>
-    offset_of(const unsigned int owned, const double share) const;
+    /// State of an owned facet; @p slip is filled where there is friction, and
+    /// must outlive the result.
+    SecondaryState<dim>
+    state_of(const unsigned int owned, FacetSlip<dim> &slip) const;
 
     bool
     is_released(const unsigned int owned) const;
+
+    /// Released or tied.
+    bool
+    has_no_contact(const unsigned int owned) const;
+
+    const Facet<dim> *
+    primary_before(const unsigned int p) const;
+
+    /// The primary's surface where a secondary point sees it.
+    PrimaryPoint<dim>
+    primary_point(const unsigned int                   p,
+                  const typename PairKernel<dim>::Hit &at) const;
+
+    /// Where the line through a secondary point meets a primary facet, or the
+    /// obstacle.
+    std::optional<typename PairKernel<dim>::Hit>
+    hit(const SecondaryFrame<dim> &frame,
+        const PlanePoint<dim>     &xi,
+        const unsigned int         p) const;
+
+    void
+    update_slip();
+
+    /// Effective depth at the material points of the owned facet @p o; lowest
+    /// number: out of sight.
+    std::vector<double>
+    depths_at_points(const unsigned int o, unsigned int &next) const;
+
+    /// False if a facet is surely out of the obstacle's reach.
+    bool
+    may_meet_obstacle(const unsigned int f) const;
+
+    double
+    safe_step_to_obstacle(const std::vector<Facet<dim>> &moved) const;
 
     void
     count(const PairBlock<dim> &block);
 
     void
-    evaluate_points(const double share, const bool with_tangent);
+    evaluate_points(const bool with_tangent);
 
     /// Depth below a surface [m], negative in front of it, and what acts there.
     struct Depth
     {
-      double           depth;
-      ContactStiffness stiffness;
+      double                        depth;
+      ContactStiffness              stiffness;
+      unsigned int                  primary;
+      typename PairKernel<dim>::Hit hit;
     };
 
     /// Depth below the nearest facing primary facet along the normal at @p xi,
@@ -197,18 +269,29 @@ namespace MortarContact
     double
     reach(const unsigned int secondary_facet) const;
 
-    const Skin<dim>   &secondary;
-    const Skin<dim>   &primary;
-    const PressureLaw &law;
-    PairKernel<dim>    kernel;
-    double             weight;
-    double             margin; ///< Motion that candidates allow for [m].
-    double             largest_length_p     = 0.; ///< Of the primary [m].
-    double             largest_compliance_p = 0.; ///< [m/Pa]
-    double             surface_offset       = 0.; ///< Of both sides [m].
-    double             deepest_level        = 0.; ///< Of the history [m].
+    /// Candidates of the owned facets from pair @p next on; moves @p next.
+    std::vector<unsigned int>
+    candidates_of(const unsigned int owned, unsigned int &next) const;
+
+    const Skin<dim>     &secondary;
+    const Skin<dim>     &primary;
+    const Obstacle<dim> *obstacle;
+    const PressureLaw   &law;
+    PairKernel<dim>      kernel;
+    double               weight;
+    double               margin; ///< Motion that candidates allow for [m].
+    double               largest_length_p     = 0.; ///< Of the primary [m].
+    double               largest_compliance_p = 0.; ///< [m/Pa]
+    double               surface_offset       = 0.; ///< Of both sides [m].
+    double               deepest_level        = 0.; ///< Of the history [m].
+
+    double last_reach     = 0.; ///< Largest, last search [m]
+    double last_share     = 0.; ///< Of the last evaluation.
+    double last_time_step = 0.;
+    double share_before   = 0.; ///< At the last commit().
 
     ContactHistory<dim>                                history;
+    std::vector<VertexValues<dim>>                     augmentation; ///< Trial.
     std::vector<unsigned int>                          owned;
     std::vector<std::pair<unsigned int, unsigned int>> pairs;
     std::vector<Facet<dim>>                            searched_s, searched_p;

@@ -19,8 +19,10 @@ namespace MortarContact
   /**
    * Plane of a secondary facet: through its centre, across its centre normal n.
    * All integration happens in this plane; coordinates y in it belong to an
-   * orthonormal basis e_c that moves with the normal without spinning,
-   *   Delta e_c = -(Delta n . e_c) n.
+   * orthonormal basis e_c with e_0 along the centre tangent, so that it turns
+   * with the material. The overlap does not feel the spin about n: its motion,
+   * frame_motion(), takes Delta e_c = -(Delta n . e_c) n. Vectors that are
+   * stored in the basis do, see spin().
    */
   template <int dim>
   struct SecondaryFrame
@@ -41,6 +43,11 @@ namespace MortarContact
     /// dn/dx_a of the unit normal, [vertex] dim x dim.
     std::array<Tensor<2, dim>, max_vertices<dim>> dn;
 
+    /// |x_,0| at the centre, the length of the tangent that e_0 follows.
+    double tangent_length;
+    /// Coefficients of the vertices in that tangent.
+    VertexValues<dim> tangent_of;
+
     /// Coordinates of @p x in the plane.
     PlanePoint<dim>
     project(const Tensor<1, dim> &x) const;
@@ -53,6 +60,11 @@ namespace MortarContact
      */
     std::array<FacetVector<dim>, dim - 1>
     frame_motion(const double height) const;
+
+    /// Derivative of the spin of the basis about n: the part e_1 . Delta e_0.
+    /// Zero in 2d.
+    FacetVector<dim>
+    spin() const;
 
     /**
      * Second derivative of the unit normal, contracted with a vector:

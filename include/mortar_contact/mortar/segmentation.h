@@ -69,6 +69,12 @@ namespace MortarContact
                    const ProjectedPrimary<dim> &primary,
                    const VertexMotion<dim>     &vertices);
 
+    bool
+    has_motion() const
+    {
+      return motion_known;
+    }
+
     /// Motion of corner @p k of simplex @p s; after compute_motion().
     const PlaneMotion<dim> &
     motion(const unsigned int s, const unsigned int k) const;
@@ -85,6 +91,7 @@ namespace MortarContact
     /// Overlap vertices plus the centroid.
     static constexpr unsigned int max_corners = max_overlap_vertices<dim> + 1;
 
+    bool                                      motion_known = false;
     Overlap<dim>                              overlap;
     PlanePoint<dim>                           centroid;
     std::array<PlaneMotion<dim>, max_corners> corner_motion;

@@ -4,6 +4,8 @@
 
 #include <mortar_contact/laws/initial_penetration.h>
 #include <mortar_contact/mortar/pair_kernel.h>
+#include <mortar_contact/parameters/friction_parameters.h>
+#include <mortar_contact/parameters/tie_parameters.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -21,18 +23,36 @@ namespace MortarContact
    */
   struct ContactParameters
   {
-    /// One sweep over the secondary, or one over each side at half weight.
     enum class Kind
     {
-      forming_surface_to_surface,
-      automatic_surface_to_surface
+      forming_surface_to_surface,   ///< One sweep over the secondary.
+      automatic_surface_to_surface, ///< One over each side at half weight.
+      automatic_single_surface,     ///< The secondary against itself.
+      tied,                         ///< For good.
+      tiebreak                      ///< Until a law fails, then contact.
     };
 
     /// What happens when a converged state penetrates too deep.
     enum class Release
     {
-      report,  ///< As LS-DYNA: contact is dropped, and said so.
-      cut_back ///< The step is rejected.
+      report,   ///< As LS-DYNA: contact is dropped, and said so.
+      cut_back, ///< The step is rejected.
+      never     ///< The law grows without bound: a barrier.
+    };
+
+    /// Tools of forming contact must point to the blank.
+    enum class ToolNormals
+    {
+      check, ///< An error if they do not.
+      turn   ///< Facets that point away are turned.
+    };
+
+    /// Uzawa's method on the pointwise pressure.
+    struct Augmentation
+    {
+      bool         is_on     = false;
+      double       tolerance = 0.; ///< Penetration that may stay [m].
+      unsigned int most      = 20; ///< Augmentations per step.
     };
 
     Kind        kind = Kind::automatic_surface_to_surface;
@@ -55,6 +75,12 @@ namespace MortarContact
     double             removal_time        = 0.; ///< MPAR1 for remove [s]
     double             deepest_penetration = 0.; ///< MPAR2 [m]
 
+    FrictionParameters friction;
+    TieParameters      tie;
+    Augmentation       augmentation;
+    ToolNormals        tool_normals = ToolNormals::check;
+    double             smoothing    = 0.; ///< KernelOptions::smoothing [-]
+
     unsigned int report_every      = 1; ///< MINFO, steps; 0: never.
     unsigned int n_worst_facets    = 3;
     bool         symmetric_tangent = false;
@@ -73,6 +99,16 @@ namespace MortarContact
 
     StiffnessSide
     side() const;
+
+    /// Sweeps of a kind: two for automatic surface to surface and tiebreak.
+    unsigned int
+    n_sweeps() const;
+
+    bool
+    has_ties() const
+    {
+      return kind == Kind::tied || kind == Kind::tiebreak;
+    }
 
     /// The explicit characteristic length [m]; zero if it comes from the mesh.
     double

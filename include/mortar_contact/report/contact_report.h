@@ -61,6 +61,12 @@ namespace MortarContact
     double lowest_length[2] = {0., 0.}, highest_length[2] = {0., 0.};
     /// Facets of the sides.
     unsigned int n_side_facets[2] = {0, 0};
+    /// Tool facets that were turned over to point to the blank.
+    unsigned int n_turned = 0;
+    /// Ties: area of the secondary, what of it is tied, facets without a tie,
+    /// largest gap that was tied [m^2, m].
+    double       secondary_area = 0., tied_area = 0., largest_tied_gap = 0.;
+    unsigned int n_free_facets = 0;
   };
 
   /**
@@ -80,6 +86,13 @@ namespace MortarContact
     unsigned int degenerate_pairs = 0; ///< Facets without a usable shape.
 
     double active_area          = 0.; ///< Undeformed [m^2]
+    double slip_area            = 0.; ///< Of it, sliding [m^2]
+    double dissipation          = 0.; ///< By friction, since setup() [J]
+    double elastic_slip         = 0.; ///< Largest of present points [m]
+    double whole_tied_area      = 0.; ///< Ties without damage [m^2]
+    double failed_tied_area     = 0.; ///< Ties that failed [m^2]
+    double damage_dissipation   = 0.; ///< By ties, since setup() [J]
+    double largest_tie_jump     = 0.; ///< Of ties that hold [m]
     double energy               = 0.; ///< In the contact springs [J]
     double largest_penetration  = 0.; ///< [m]
     double relative_penetration = 0.; ///< Largest, over the release depth.
@@ -96,6 +109,8 @@ namespace MortarContact
     unsigned int n_too_deep = 0;
     /// Facets whose contact has been released since setup().
     unsigned int n_released = 0;
+    /// Augmentations in the present step, and since setup().
+    unsigned int n_augmentations = 0, n_augmentations_total = 0;
 
     /// Whether pairs have come since the last add_couplings().
     bool couplings_changed = true;

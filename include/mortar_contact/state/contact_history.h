@@ -21,11 +21,19 @@ namespace MortarContact
   extrapolate_to_vertices(const unsigned int       n_vertices,
                           const VertexValues<dim> &at_points);
 
+  /// The same for vectors in the facet's plane.
+  template <int dim>
+  std::array<PlanePoint<dim>, max_vertices<dim>>
+  extrapolate_to_vertices(
+    const unsigned int                                    n_vertices,
+    const std::array<PlanePoint<dim>, max_vertices<dim>> &at_points);
+
   /**
    * State of the secondary facets of one sweep that a rank owns. It lives on
    * material points, never on pairs, so nothing breaks when a point meets
    * another facet. Changes in commit() only. Allocated where a scene needs it:
-   * an interface without initial penetrations and releases stores nothing.
+   * an interface without initial penetrations, releases and friction stores
+   * nothing.
    */
   template <int dim>
   struct ContactHistory
@@ -37,11 +45,30 @@ namespace MortarContact
     /// Facets whose contact was released, until they open. Empty: none.
     std::vector<char> released;
 
+    /// Elastic slip at the material points, components in the basis of the
+    /// secondary frame, by owned facet [m]. Empty: no friction.
+    std::vector<std::array<PlanePoint<dim>, max_vertices<dim>>> elastic_slip;
+
+    /// Path length of sliding at the material points [m]. Empty: no friction.
+    std::vector<VertexValues<dim>> sliding;
+
+    /// Depth at the material points that augmentation adds [m]. Empty: none.
+    std::vector<VertexValues<dim>> augmentation;
+
+    /// Facets that ties hold: no contact until the last tie has failed. Empty:
+    /// none.
+    std::vector<char> tied;
+
+    /// Positions of the facets of both sides at the end of the last accepted
+    /// step. Empty: no friction.
+    std::array<std::vector<Facet<dim>>, 2> before;
+
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &level &released;
+      archive &level &released &elastic_slip &sliding &augmentation &tied
+        &before;
     }
   };
 } // namespace MortarContact

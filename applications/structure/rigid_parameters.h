@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef mortar_contact_structure_rigid_parameters_h
+#define mortar_contact_structure_rigid_parameters_h
+
+#include <mortar_contact/host/rigid_body.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Structure
+{
+  using namespace dealii;
+
+  /// One rigid body of a scene: shape, place, motion.
+  struct RigidParameters
+  {
+    static void
+    declare(ParameterHandler &prm);
+
+    void
+    read(ParameterHandler &prm);
+
+    /// @throw ExcMessage on settings that make no body.
+    template <int dim>
+    std::shared_ptr<MortarContact::RigidBody<dim>>
+    make() const;
+
+    std::string                name;
+    std::string                type = "ball";
+    double                     radius = 1., tube_radius = 0.5, length = 0.;
+    double                     half_angle = 45.; ///< [deg]
+    std::vector<double>        sizes;
+    std::string                formula, file;
+    double                     scale        = 1.;
+    bool                       smooth       = false;
+    double                     crease_angle = 40.; ///< [deg]
+    std::vector<double>        position, axis;
+    std::array<std::string, 3> translation = {{"0", "0", "0"}};
+    std::vector<double>        rotation_axis, rotation_centre;
+    std::string                rotation_angle = "0"; ///< [rad]
+  };
+} // namespace Structure
+
+#endif

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef mortar_contact_mortar_tie_sweep_h
+#define mortar_contact_mortar_tie_sweep_h
+
+#include <mortar_contact/mortar/contact_sweep.h>
+#include <mortar_contact/mortar/tie_kernel.h>
+
+#include <vector>
+
+namespace MortarContact
+{
+  /// What was tied on one rank, and what has become of it.
+  struct TieCounts
+  {
+    double       area          = 0.; ///< Of the owned secondary facets [m^2]
+    double       tied_area     = 0.; ///< Tied at the start
+    double       whole_area    = 0.; ///< and not damaged now
+    double       failed_area   = 0.; ///< or failed.
+    double       largest_gap   = 0.; ///< That was tied [m]
+    double       dissipated    = 0.; ///< By damage, since the start [J]
+    unsigned int n_free_facets = 0;  ///< Facets of which nothing was tied.
+  };
+
+  /**
+   * The ties between two skins: found once, in the undeformed configuration, by
+   * the segments of the pairs of facets; then they stay. Ties know no search,
+   * no clipping and no sliding.
+   */
+  template <int dim>
+  class TieSweep
+  {
+  public:
+    using ActivePair = typename ContactSweep<dim>::ActivePair;
+
+    /**
+     * Tie what is near.
+     * @param scale     alpha of the contact stiffness alpha K/l.
+     * @param tolerance Largest gap or overlap that is tied [m]; zero: 5 % of
+     * the secondary facet's diameter.
+     */
+    TieSweep(const Skin<dim>       &secondary,
+             const Skin<dim>       &primary,
+             const TieStrength     &strength,
+             const PairKernel<dim> &kernel,
+             const double           scale,
+             const double           tolerance);
+
+    /// [secondary, primary] of all ties.
+    const std::vector<std::pair<unsigned int, unsigned int>> &
+    candidates() const
+    {
+      return pairs;
+    }
+
+    void
+    evaluate(const bool with_tangent);
+
+    const std::vector<ActivePair> &
+    active_pairs() const
+    {
+      return active;
+    }
+
+    /// Accept the last evaluation.
+    void
+    commit();
+
+    /// By owned facet: whether a tie still holds it.
+    std::vector<char>
+    holds() const;
+
+    TieCounts
+    counts() const;
+
+    /// Largest jump of whole ties in the last evaluation, normal (opening
+    /// positive) and tangential [m].
+    double
+    largest_opening() const
+    {
+      return opening;
+    }
+
+    /// The history of all ties, to be saved and restored.
+    std::vector<TieHistory>
+    state() const;
+    void
+    restore(const std::vector<TieHistory> &saved);
+
+  private:
+    const Skin<dim>  &secondary;
+    const Skin<dim>  &primary;
+    const TieLaw<dim> law;
+    TieCounts         at_start;
+    double            dissipated = 0.;
+    double            opening    = 0.;
+
+    std::vector<unsigned int>                          owned;
+    std::vector<std::pair<unsigned int, unsigned int>> pairs;
+    std::vector<std::vector<TiePoint<dim>>>            ties;  ///< By pair.
+    std::vector<std::vector<TieHistory>>               trial; ///< By pair.
+    std::vector<ActivePair>                            active;
+  };
+} // namespace MortarContact
+
+#endif

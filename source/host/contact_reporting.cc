@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "pair_forces.h"
+
+#include <mortar_contact/host/contact_interface.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace MortarContact
+{
+  template <int dim>
+  void
+  ContactInterface<dim>::detect_initial_penetrations()
+  {
+    InitialTreatment treatment;
+    treatment.largest_share      = parameters.largest_share();
+    treatment.deepest            = parameters.deepest_penetration;
+    treatment.remaining_pressure = parameters.initial_pressure;
+    treatment.store =
+      parameters.initial_penetration != InitialPenetration::stress;
+
+    InitialReport &initial = last_report.initial;
+    initial.treatment      = parameters.initial_penetration;
+
+    std::vector<DeepPenetration> deepest, undetected;
+    for (unsigned int i = 0; i < sweeps.size(); ++i)
+      {
+        const InitialFindings<dim> found = sweeps[i]->detect_initial(treatment);
+        const auto                &labels = surfaces[side_of(i, 0)].labels;
+        initial.n_facets += Utilities::MPI::sum(found.n_facets, communicator);
+        initial.n_undetected +=
+          Utilities::MPI::sum(found.n_too_deep, communicator);
+        if (found.n_facets > 0)
+          deepest.push_back(
+            {found.depth,
+             found.depth / (treatment.largest_share *
+                            surfaces[side_of(i, 0)].cell_length[found.facet]),
+             labels[found.facet],
+             {},
+             in_space(found.position)});
+        if (found.n_too_deep > 0)
+          undetected.push_back(
+            {found.too_deep,
+             found.too_deep /
+               (treatment.largest_share *
+                surfaces[side_of(i, 0)].cell_length[found.too_deep_facet]),
+             labels[found.too_deep_facet],
+             {},
+             in_space(found.too_deep_position)});
+      }
+    const auto deepest_of_all = [&](const std::vector<DeepPenetration> &local) {
+      DeepPenetration result;
+      for (const auto &of_rank :
+           Utilities::MPI::all_gather(communicator, local))
+        for (const auto &p : of_rank)
+          if (p.penetration > result.penetration)
+            result = p;
+      return result;
+    };
+    initial.deepest    = deepest_of_all(deepest);
+    initial.undetected = deepest_of_all(undetected);
+
+    if (parameters.initial_penetration == InitialPenetration::remove_deep &&
+        initial.n_undetected > 0)
+      {
+        std::ostringstream message;
+        message << "Interface '" << name
+                << "': 'Deepest initial penetration' (MPAR2) is "
+                << parameters.deepest_penetration << ", but cell "
+                << initial.undetected.secondary.cell << " of '"
+                << initial.undetected.secondary.part << "' penetrates by "
+                << initial.undetected.penetration << " at ("
+                << initial.undetected.position
+                << "). Expected a value above the deepest initial penetration.";
+        AssertThrow(false, ExcMessage(message.str()));
+      }
+  }
+
+
+  template <int dim>
+  void
+  ContactInterface<dim>::make_report()
+  {
+    ContactReport &r = last_report;
+    // Step 1: sums and maxima of this rank.
+    std::vector<double> sums(18, 0.), maxima(6, 0.);
+    maxima[2] = std::numeric_limits<double>::lowest();
+    std::vector<DeepPenetration> worst;
+    for (unsigned int i = 0; i < sweeps.size(); ++i)
+      {
+        const ContactSweep<dim> &sweep   = *sweeps[i];
+        const auto              &counts  = sweep.counts();
+        const double             added[] = {double(sweep.candidates().size()),
+                                            double(counts.active),
+                                            double(counts.open),
+                                            double(counts.apart),
+                                            double(counts.beyond),
+                                            double(counts.degenerate),
+                                            double(sweep.too_deep(deepest_share()).size())};
+        for (unsigned int k = 0; k < 7; ++k)
+          sums[k] += added[k];
+        maxima[2] = std::max(maxima[2], -counts.smallest_gap);
+        maxima[3] = std::max(maxima[3], counts.overlap);
+        for (const auto &pair : sweep.active_pairs())
+          {
+            const PairBlock<dim> &block = pair.block;
+            sums[7] += block.active_area;
+            sums[8] += block.energy;
+            sums[9] += block.penetration_volume;
+            sums[16] += block.slip_area;
+            sums[17] += block.dissipation;
+            maxima[4] = std::max(maxima[4], block.elastic_slip);
+            const double relative =
+              block.relative_penetration / parameters.largest_share();
+            maxima[0] = std::max(maxima[0], block.penetration);
+            maxima[1] = std::max(maxima[1], relative);
+            worst.push_back({block.penetration,
+                             relative,
+                             surfaces[side_of(i, 0)].labels[pair.secondary],
+                             obstacle ?
+                               FacetLabel{obstacle->name, 0} :
+                               surfaces[side_of(i, 1)].labels[pair.primary],
+                             in_space(block.deepest_position)});
+          }
+      }
+
+    // Body 0: side i of sweep i.
+    for_each_pair([&](const unsigned int i, const auto &pair) {
+      for_each_force<dim>(surfaces[side_of(i, 0)].skin,
+                          obstacle ? nullptr : &surfaces[side_of(i, 1)].skin,
+                          pair,
+                          [&](const unsigned int  role,
+                              const Tensor<1, 3> &x,
+                              const Tensor<1, 3> &force) {
+                            if (role != i)
+                              return;
+                            const Tensor<1, 3> moment =
+                              cross_product_3d(x, force);
+                            for (unsigned int c = 0; c < 3; ++c)
+                              {
+                                sums[10 + c] += force[c];
+                                sums[13 + c] += moment[c];
+                              }
+                          });
+    });
+    if (tie_sweep)
+      maxima[5] = tie_sweep->largest_opening();
+
+    // Step 2: over the ranks.
+    Utilities::MPI::sum(sums, communicator, sums);
+    Utilities::MPI::max(maxima, communicator, maxima);
+    r.candidate_pairs  = std::lround(sums[0]);
+    r.active_pairs     = std::lround(sums[1]);
+    r.open_pairs       = std::lround(sums[2]);
+    r.apart_pairs      = std::lround(sums[3]);
+    r.beyond_pairs     = std::lround(sums[4]);
+    r.degenerate_pairs = std::lround(sums[5]);
+    r.n_too_deep       = std::lround(sums[6]);
+    r.active_area      = sums[7];
+    r.energy           = sums[8];
+    r.mean_penetration = sums[7] > 0. ? sums[9] / sums[7] : 0.;
+    for (unsigned int c = 0; c < 3; ++c)
+      {
+        r.force[c]  = sums[10 + c];
+        r.moment[c] = sums[13 + c];
+      }
+    r.largest_penetration  = maxima[0];
+    r.relative_penetration = maxima[1];
+    r.smallest_gap         = -maxima[2];
+    r.largest_overlap      = maxima[3];
+    r.slip_area            = sums[16];
+    r.dissipation          = dissipation + sums[17];
+    r.elastic_slip         = maxima[4];
+    r.largest_tie_jump     = maxima[5];
+    if (tie_sweep)
+      {
+        const TieCounts     ties  = tie_sweep->counts();
+        std::vector<double> areas = {ties.whole_area,
+                                     ties.failed_area,
+                                     ties.dissipated};
+        Utilities::MPI::sum(areas, communicator, areas);
+        r.whole_tied_area    = areas[0];
+        r.failed_tied_area   = areas[1];
+        r.damage_dissipation = areas[2];
+      }
+
+    // Step 3: the worst facets, deepest first, one line per facet.
+    const auto deeper = [](const DeepPenetration &a, const DeepPenetration &b) {
+      return std::tie(b.penetration, a.secondary.part, a.secondary.cell) <
+             std::tie(a.penetration, b.secondary.part, b.secondary.cell);
+    };
+    const auto keep_worst = [&](std::vector<DeepPenetration> &list) {
+      std::sort(list.begin(), list.end(), deeper);
+      std::vector<DeepPenetration> kept;
+      for (const auto &p : list)
+        {
+          if (kept.size() >= parameters.n_worst_facets)
+            break;
+          const bool known =
+            std::any_of(kept.begin(), kept.end(), [&](const auto &k) {
+              return k.secondary.cell == p.secondary.cell &&
+                     k.secondary.part == p.secondary.part;
+            });
+          if (!known)
+            kept.push_back(p);
+        }
+      list = kept;
+    };
+    keep_worst(worst);
+    r.worst.clear();
+    for (const auto &of_rank : Utilities::MPI::all_gather(communicator, worst))
+      r.worst.insert(r.worst.end(), of_rank.begin(), of_rank.end());
+    keep_worst(r.worst);
+  }
+
+
+  template <int dim>
+  StepAdvice
+  ContactInterface<dim>::advice() const
+  {
+    StepAdvice advice;
+    if (last_report.n_augmentations > parameters.augmentation.most)
+      {
+        std::ostringstream reason;
+        reason << "interface '" << name << "': penetrations are above "
+               << parameters.augmentation.tolerance << " after "
+               << parameters.augmentation.most << " augmentations";
+        advice.accept = false;
+        advice.reason = reason.str();
+      }
+    else if (last_report.n_too_deep > 0 &&
+             parameters.release != ContactParameters::Release::report)
+      {
+        std::ostringstream reason;
+        reason.precision(4);
+        reason << "interface '" << name << "': " << last_report.n_too_deep
+               << " facets penetrate beyond the release depth, the deepest by "
+               << last_report.largest_penetration << " ("
+               << 100. * last_report.relative_penetration << " %)";
+        if (!last_report.worst.empty())
+          reason << ", cell " << last_report.worst[0].secondary.cell << " of '"
+                 << last_report.worst[0].secondary.part << "'";
+        advice.accept = false;
+        advice.reason = reason.str();
+      }
+    return advice;
+  }
+
+
+  template void
+  ContactInterface<2>::detect_initial_penetrations();
+  template void
+  ContactInterface<2>::make_report();
+  template StepAdvice
+  ContactInterface<2>::advice() const;
+  template void
+  ContactInterface<3>::detect_initial_penetrations();
+  template void
+  ContactInterface<3>::make_report();
+  template StepAdvice
+  ContactInterface<3>::advice() const;
+} // namespace MortarContact

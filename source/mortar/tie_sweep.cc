@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <mortar_contact/mortar/tie_sweep.h>
+#include <mortar_contact/search/broad_phase.h>
+#include <mortar_contact/search/pair_filter.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace MortarContact
+{
+  namespace
+  {
+    /// Tolerance of ties as a share of the facet's diameter.
+    constexpr double default_tolerance = 0.05;
+  } // namespace
+
+
+  template <int dim>
+  TieSweep<dim>::TieSweep(const Skin<dim>       &secondary,
+                          const Skin<dim>       &primary,
+                          const TieStrength     &strength,
+                          const PairKernel<dim> &kernel,
+                          const double           scale,
+                          const double           tolerance)
+    : secondary(secondary)
+    , primary(primary)
+    , law(strength)
+  {
+    std::vector<Box<dim>> boxes;
+    for (const auto &p : primary.facets)
+      boxes.push_back(box_around(p.reference));
+    const BroadPhase<dim> broad_phase(boxes);
+    const PairFilter<dim> filter(secondary,
+                                 primary,
+                                 kernel.options.zero_cosine,
+                                 kernel.options.ceiling);
+
+    for (unsigned int f = 0; f < secondary.facets.size(); ++f)
+      {
+        if (!secondary.is_owned[f])
+          continue;
+        owned.push_back(f);
+        const ContactFacet<dim>  &facet = secondary.facets[f];
+        const SecondaryFrame<dim> frame(facet.reference);
+        const double              near =
+          (tolerance > 0.) ? tolerance : default_tolerance * frame.diameter;
+        at_start.area += area(facet.reference);
+
+        Box<dim> box = box_around(facet.reference);
+        inflate(box, near + std::abs(facet.surface_offset));
+        bool any = false;
+        for (const unsigned int p : broad_phase.find(box))
+          {
+            if (!filter.face_each_other(f, p))
+              continue;
+            std::vector<TiePoint<dim>> points;
+            for (const auto &q :
+                 kernel.segment_points(frame, facet, primary.facets[p]))
+              {
+                const PrimaryPoint<dim> at =
+                  kernel.primary_point(primary.facets[p], nullptr, q.eta);
+                TiePoint<dim> tie;
+                tie.xi     = q.xi;
+                tie.eta    = q.eta;
+                tie.weight = q.weight;
+                tie.apart =
+                  apart(frame, primary.facets[p].reference, q.xi, q.eta);
+                const double gap = -tie.apart[dim - 1] - facet.surface_offset -
+                                   at.surface_offset;
+                if (std::abs(gap) > near)
+                  continue;
+                const ContactStiffness k =
+                  kernel.stiffness(facet, q.xi, primary.facets[p], q.eta);
+                tie.stiffness = scale * k.modulus / k.length;
+                at_start.largest_gap =
+                  std::max(at_start.largest_gap, std::abs(gap));
+                at_start.tied_area += tie.weight;
+                points.push_back(tie);
+              }
+            if (points.empty())
+              continue;
+            any = true;
+            pairs.emplace_back(f, p);
+            ties.push_back(points);
+          }
+        if (!any)
+          ++at_start.n_free_facets;
+      }
+    trial.resize(ties.size());
+    for (std::size_t i = 0; i < ties.size(); ++i)
+      trial[i].resize(ties[i].size());
+  }
+
+
+  template <int dim>
+  void
+  TieSweep<dim>::evaluate(const bool with_tangent)
+  {
+    active.clear();
+    opening = 0.;
+    for (std::size_t i = 0; i < ties.size(); ++i)
+      {
+        const auto               &facet = secondary.facets[pairs[i].first];
+        const SecondaryFrame<dim> frame(facet.current);
+        const Facet<dim> &other = primary.facets[pairs[i].second].current;
+        active.push_back({pairs[i].first, pairs[i].second, {}});
+        PairBlock<dim> &block = active.back().block;
+        for (std::size_t q = 0; q < ties[i].size(); ++q)
+          {
+            const TiePoint<dim> &tie = ties[i][q];
+            // an open tie that has failed does nothing
+            trial[i][q] =
+              add_tie(frame, other, tie, law, with_tangent, block).history;
+            if (tie.history.damage < 1.)
+              opening = std::max(
+                opening,
+                (apart(frame, other, tie.xi, tie.eta) - tie.apart).norm());
+          }
+      }
+    // facets that nothing holds any more are ordinary contact
+    const std::vector<char> held = holds();
+    active.erase(
+      std::remove_if(active.begin(),
+                     active.end(),
+                     [&](const ActivePair &pair) {
+                       return !held[std::lower_bound(owned.begin(),
+                                                     owned.end(),
+                                                     pair.secondary) -
+                                    owned.begin()];
+                     }),
+      active.end());
+  }
+
+
+  template <int dim>
+  void
+  TieSweep<dim>::commit()
+  {
+    for (std::size_t i = 0; i < ties.size(); ++i)
+      for (std::size_t q = 0; q < ties[i].size(); ++q)
+        {
+          TieHistory       &old = ties[i][q].history;
+          const TieHistory &now = trial[i][q];
+          // trapezoidal rule over the damage of the step
+          dissipated += ties[i][q].weight * 0.5 * (old.release + now.release) *
+                        (now.damage - old.damage);
+          old = now;
+        }
+  }
+
+
+  template <int dim>
+  std::vector<char>
+  TieSweep<dim>::holds() const
+  {
+    std::vector<char> result(owned.size(), false);
+    for (std::size_t i = 0; i < ties.size(); ++i)
+      for (const TiePoint<dim> &tie : ties[i])
+        if (tie.history.damage < 1.)
+          result[std::lower_bound(owned.begin(), owned.end(), pairs[i].first) -
+                 owned.begin()] = true;
+    return result;
+  }
+
+
+  template <int dim>
+  TieCounts
+  TieSweep<dim>::counts() const
+  {
+    TieCounts result  = at_start;
+    result.dissipated = dissipated;
+    for (const auto &of_pair : ties)
+      for (const TiePoint<dim> &tie : of_pair)
+        {
+          if (tie.history.damage == 0.)
+            result.whole_area += tie.weight;
+          if (tie.history.damage >= 1.)
+            result.failed_area += tie.weight;
+        }
+    return result;
+  }
+
+
+  template <int dim>
+  std::vector<TieHistory>
+  TieSweep<dim>::state() const
+  {
+    std::vector<TieHistory> result;
+    for (const auto &of_pair : ties)
+      for (const TiePoint<dim> &tie : of_pair)
+        result.push_back(tie.history);
+    // the last entry carries the sum
+    result.push_back({0., dissipated});
+    return result;
+  }
+
+
+  template <int dim>
+  void
+  TieSweep<dim>::restore(const std::vector<TieHistory> &saved)
+  {
+    std::size_t n = 1;
+    for (const auto &of_pair : ties)
+      n += of_pair.size();
+    AssertThrow(saved.size() == n,
+                ExcMessage("The saved state belongs to another surface."));
+    std::size_t i = 0;
+    for (auto &of_pair : ties)
+      for (TiePoint<dim> &tie : of_pair)
+        tie.history = saved[i++];
+    dissipated = saved.back().release;
+  }
+
+
+  template class TieSweep<2>;
+  template class TieSweep<3>;
+} // namespace MortarContact
