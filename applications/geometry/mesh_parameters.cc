@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "mesh_parameters.h"
 
+#include "../structure/expression.h"
 #include "structured_mesh.h"
 
 #include <deal.II/base/function_parser.h>
@@ -181,6 +182,39 @@ namespace Structure
   } // namespace
 
 
+  namespace
+  {
+    template <int dim>
+    void
+    map_mesh(const MeshParameters &m, Triangulation<dim> &mesh)
+    {
+      const std::vector<std::string> components =
+        Utilities::split_string_list(m.map, ';');
+      AssertThrow(components.size() == dim,
+                  ExcMessage("'Mesh/Map' has " +
+                             std::to_string(components.size()) +
+                             " components; expected " + std::to_string(dim) +
+                             ", separated by semicolons."));
+      std::vector<Expression<dim>> formulas;
+      for (const std::string &c : components)
+        formulas.emplace_back(c, "Mesh/Map");
+      mesh.reset_all_manifolds();
+      GridTools::transform(
+        [&](const Point<dim> &x) {
+          Point<dim> y;
+          for (unsigned int i = 0; i < dim; ++i)
+            y[i] = formulas[i].value(x, 0.);
+          return y;
+        },
+        mesh);
+      // triangulations do not look at the sign themselves
+      for (const auto &cell : mesh.active_cell_iterators())
+        AssertThrow(cell->measure() > 0.,
+                    ExcMessage("'Mesh/Map' turns a cell inside out."));
+    }
+  } // namespace
+
+
   void
   MeshParameters::declare(ParameterHandler &prm)
   {
@@ -258,6 +292,12 @@ namespace Structure
       Patterns::Double(0., 0.4),
       "Random motion of inner vertices, for boxes also of those "
       "on faces along the faces, over the cell size [-].");
+    prm.declare_entry("Map",
+                      "",
+                      Patterns::Anything(),
+                      "Where each vertex goes: formulas in x, y, z, one per "
+                      "coordinate, separated by semicolons; after refinement, "
+                      "before rotation. Edges become straight.");
     prm.declare_entry("Rotation axis",
                       "0, 0, 1",
                       doubles,
@@ -294,6 +334,7 @@ namespace Structure
     simplices         = prm.get_bool("Simplices");
     distortion        = prm.get_double("Distortion");
     rotation_axis     = numbers_of(prm.get("Rotation axis"));
+    map               = prm.get("Map");
     rotation_angle    = prm.get_double("Rotation angle");
     move              = numbers_of(prm.get("Move"));
     AssertThrow(type != "file" || !file.empty(),
@@ -398,7 +439,10 @@ namespace Structure
     if (m.distortion > 0. && m.type != "box")
       GridTools::distort_random(m.distortion, mesh, true);
 
-    // Step 3: in its place, manifolds too: elements of degree 2 get their
+    if (!m.map.empty())
+      map_mesh(m, mesh);
+
+    // Step 4: in its place, manifolds too: elements of degree 2 get their
     // middle nodes from them.
     if (m.rotation_angle == 0. && m.move.empty())
       return;

@@ -41,8 +41,9 @@ namespace Structure
     unsigned int        local_refinements = 0;
     bool                simplices         = false;
     double              distortion        = 0.;
-    std::vector<double> rotation_axis     = {0., 0., 1.}, move;
-    double              rotation_angle    = 0.; ///< [deg]
+    std::string         map; ///< Formulas of the coordinates.
+    std::vector<double> rotation_axis  = {0., 0., 1.}, move;
+    double              rotation_angle = 0.; ///< [deg]
   };
 
   /// Make the mesh. @throw ExcMessage on settings that make no mesh.

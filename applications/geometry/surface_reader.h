@@ -12,8 +12,8 @@ namespace Structure
   using namespace dealii;
 
   /**
-   * Read a surface mesh of facets: STL (text or binary), gmsh .msh, Abaqus .inp,
-   * VTK .vtk. Vertices of STL facets at the same place are joined.
+   * Read a surface mesh of facets: STL (text or binary), gmsh .msh, Abaqus
+   * .inp, VTK .vtk. Vertices of STL facets at the same place are joined.
    * @throw ExcMessage if the file is none of them.
    */
   template <int dim>

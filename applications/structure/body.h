@@ -57,6 +57,9 @@ namespace Structure
 
     /// Dead load per undeformed volume, expressions of x, y, z, t; empty: none.
     std::string body_force;
+
+    /// Velocity at the start, expressions of x, y, z; empty: at rest.
+    std::string initial_velocity;
   };
 } // namespace Structure
 

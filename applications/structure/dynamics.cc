@@ -8,11 +8,12 @@ namespace Structure
   void
   DynamicsParameters::declare(ParameterHandler &prm)
   {
-    prm.declare_entry("Type",
-                      "static",
-                      Patterns::Selection("static|dynamic"),
-                      "static: equilibrium at all times. dynamic: with inertia; "
-                      "bodies need a density.");
+    prm.declare_entry(
+      "Type",
+      "static",
+      Patterns::Selection("static|dynamic"),
+      "static: equilibrium at all times. dynamic: with inertia; "
+      "bodies need a density.");
     prm.declare_entry("Spectral radius",
                       "0.8",
                       Patterns::Double(0., 1.),
@@ -23,11 +24,12 @@ namespace Structure
                       Patterns::Double(0.),
                       "Rayleigh's alpha: damping matrix over mass matrix "
                       "[1/time].");
-    prm.declare_entry("Stiffness damping",
-                      "0.0",
-                      Patterns::Double(0.),
-                      "Rayleigh's beta: damping matrix over the stiffness matrix "
-                      "of the undeformed bodies [time].");
+    prm.declare_entry(
+      "Stiffness damping",
+      "0.0",
+      Patterns::Double(0.),
+      "Rayleigh's beta: damping matrix over the stiffness matrix "
+      "of the undeformed bodies [time].");
   }
 
 
@@ -48,7 +50,7 @@ namespace Structure
     alpha_m          = (2. * rho - 1.) / (rho + 1.);
     alpha_f          = rho / (rho + 1.);
     gamma            = 0.5 - alpha_m + alpha_f;
-    beta             = 0.25 * (1. - alpha_m + alpha_f) * (1. - alpha_m + alpha_f);
+    beta = 0.25 * (1. - alpha_m + alpha_f) * (1. - alpha_m + alpha_f);
   }
 
 

@@ -25,14 +25,13 @@ namespace Structure
   };
 
   /**
-   * The generalised-alpha method (J. Chung, G. Hulbert, J. Appl. Mech. 60 (1993)
-   * 371-375, doi:10.1115/1.2900803) with static forces F (internal less external
-   * less contact) averaged over the step,
-   *   M a_m + C v_f + (1 - alpha_f) F(u) + alpha_f F_n = 0,
-   *   a_m = (1 - alpha_m) a + alpha_m a_n,  v_f = (1 - alpha_f) v + alpha_f v_n,
-   *   u = u_n + dt v_n + dt^2 ((1/2 - beta) a_n + beta a),
-   *   v = v_n + dt ((1 - gamma) a_n + gamma a).
-   * Second order; unconditionally stable for linear problems.
+   * The generalised-alpha method (J. Chung, G. Hulbert, J. Appl. Mech. 60
+   * (1993) 371-375, doi:10.1115/1.2900803) with static forces F (internal less
+   * external less contact) averaged over the step, M a_m + C v_f + (1 -
+   * alpha_f) F(u) + alpha_f F_n = 0, a_m = (1 - alpha_m) a + alpha_m a_n,  v_f
+   * = (1 - alpha_f) v + alpha_f v_n, u = u_n + dt v_n + dt^2 ((1/2 - beta) a_n
+   * + beta a), v = v_n + dt ((1 - gamma) a_n + gamma a). Second order;
+   * unconditionally stable for linear problems.
    */
   class TimeIntegration
   {

@@ -40,7 +40,7 @@ namespace Structure
     , fe_values(*body.mapping,
                 *body.fe,
                 *body.quadrature,
-                update_gradients | update_JxW_values)
+                update_values | update_gradients | update_JxW_values)
     , component(components_of(*body.fe))
     , F(body.quadrature->size())
   {}
@@ -164,6 +164,25 @@ namespace Structure
 
     cell_state.volume_ratio = new_volume / volume;
     return true;
+  }
+
+
+  template <int dim>
+  void
+  Element<dim>::mass(const typename DoFHandler<dim>::active_cell_iterator &cell,
+                     FullMatrix<double>                                   &M)
+  {
+    fe_values.reinit(cell);
+    M = 0.;
+    for (const unsigned int q : fe_values.quadrature_point_indices())
+      {
+        const double w = body.material->density * fe_values.JxW(q);
+        for (unsigned int a = 0; a < component.size(); ++a)
+          for (unsigned int b = 0; b < component.size(); ++b)
+            if (component[a] == component[b])
+              M(a, b) +=
+                w * fe_values.shape_value(a, q) * fe_values.shape_value(b, q);
+      }
   }
 
 

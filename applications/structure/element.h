@@ -42,6 +42,11 @@ namespace Structure
              Vector<double>                                       &forces,
              FullMatrix<double>                                   &tangent);
 
+    /// Consistent mass matrix of a cell [kg].
+    void
+    mass(const typename DoFHandler<dim>::active_cell_iterator &cell,
+         FullMatrix<double>                                   &matrix);
+
     /// Means of the cell of the last evaluate().
     const CellState &
     state() const

@@ -165,6 +165,8 @@ namespace Structure
     internal = make_vector();
     external = make_vector();
     contact  = make_vector();
+    inertia  = make_vector();
+    momenta  = make_vector();
     Point<dim> low, high;
     bool       first = true;
     for (const auto &b : bodies)
@@ -179,6 +181,8 @@ namespace Structure
         }
     size               = low.distance(high);
     pattern_is_current = false;
+    if (is_dynamic())
+      start_motion();
   }
 
 
@@ -397,6 +401,22 @@ namespace Structure
     const Vector_t u_ghosted = ghosted(u);
     make_constraints(u, time);
 
+    // accelerations and velocities, and the means over the step
+    const bool dynamic = is_dynamic() && integration.dt > 0.;
+    Vector_t   a_end, v_end, a_mean, v_mean;
+    if (dynamic)
+      {
+        Vector_t a = make_vector(), v = make_vector();
+        integration.rates(u, a, v);
+        a_end = ghosted(a);
+        v_end = ghosted(v);
+        a.sadd(1. - integration.alpha_m, integration.alpha_m, integration.a_n);
+        v.sadd(1. - integration.alpha_f, integration.alpha_f, integration.v_n);
+        a_mean = ghosted(a);
+        v_mean = ghosted(v);
+      }
+    const double per_share = 1. / (1. - integration.alpha_f);
+
     // Step 1: contact first: it may need entries in the matrix.
     bool couplings_changed = false;
     {
@@ -418,6 +438,8 @@ namespace Structure
     internal = 0.;
     external = 0.;
     contact  = 0.;
+    inertia  = 0.;
+    momenta  = 0.;
 
     // Step 2: cells.
     std::string failure;
@@ -425,12 +447,20 @@ namespace Structure
       TimerOutput::Scope                   scope(timer, "assembly: cells");
       std::vector<types::global_dof_index> dofs;
       Vector<double>                       values, forces, loaded;
-      FullMatrix<double>                   tangent;
+      Vector<double>                       at_rest, ignored;
+      FullMatrix<double>                   tangent, mass, damping, stiffness;
       for (const auto &b : bodies)
         {
           Element<dim>       element(*b);
           const unsigned int n = b->fe->n_dofs_per_cell();
-          const bool         is_loaded =
+          if (dynamic)
+            {
+              mass.reinit(n, n);
+              stiffness.reinit(n, n);
+              at_rest.reinit(n);
+              ignored.reinit(n);
+            }
+          const bool is_loaded =
             std::any_of(loads.begin(), loads.end(), [&](const Load &load) {
               return load.body == b.get();
             });
@@ -461,6 +491,48 @@ namespace Structure
                     none.distribute_local_to_global(loaded, dofs, external);
                     forces -= loaded;
                   }
+                if (dynamic)
+                  {
+                    // M and C = alpha M + beta K_0
+                    const auto &d = integration.parameters;
+                    element.mass(cell, mass);
+                    damping = mass;
+                    damping *= d.mass_damping;
+                    if (d.stiffness_damping > 0.)
+                      {
+                        at_rest = 0.;
+                        element.evaluate(
+                          cell, at_rest, true, ignored, stiffness);
+                        damping.add(d.stiffness_damping, stiffness);
+                      }
+                    const auto add_inertia = [&](const Vector_t &a,
+                                                 const Vector_t &v,
+                                                 const double    factor,
+                                                 Vector<double> &f) {
+                      for (unsigned int k = 0; k < n; ++k)
+                        for (unsigned int l = 0; l < n; ++l)
+                          f(k) += factor * (mass(k, l) * a(dofs[l]) +
+                                            damping(k, l) * v(dofs[l]));
+                    };
+                    add_inertia(a_mean, v_mean, per_share, forces);
+                    loaded = 0.;
+                    add_inertia(a_end, v_end, 1., loaded);
+                    none.distribute_local_to_global(loaded, dofs, inertia);
+                    for (unsigned int k = 0; k < n; ++k)
+                      {
+                        loaded(k) = 0.;
+                        for (unsigned int l = 0; l < n; ++l)
+                          loaded(k) += mass(k, l) * v_end(dofs[l]);
+                      }
+                    none.distribute_local_to_global(loaded, dofs, momenta);
+                    if (with_tangent)
+                      {
+                        tangent.add(per_share * (1. - integration.alpha_m) *
+                                      integration.a_u,
+                                    mass);
+                        tangent.add(integration.v_u, damping);
+                      }
+                  }
                 forces *= -1.;
                 if (with_tangent)
                   constraints.distribute_local_to_global(
@@ -487,15 +559,200 @@ namespace Structure
           interface->assemble(contact, none);
         }
     }
+    if (dynamic)
+      {
+        // the static forces at the start of the step
+        std::vector<types::global_dof_index> dofs;
+        Vector<double>                       before(owned.n_elements());
+        for (const auto i : owned)
+          {
+            before(dofs.size()) =
+              -per_share * integration.alpha_f * integration.F_n(i);
+            dofs.push_back(i);
+          }
+        constraints.distribute_local_to_global(before, dofs, rhs);
+      }
     if (with_tangent)
       matrix.compress(VectorOperation::add);
-    for (Vector_t *v : {&rhs, &internal, &external, &contact})
+    for (Vector_t *v :
+         {&rhs, &internal, &external, &contact, &inertia, &momenta})
       v->compress(VectorOperation::add);
+    // forces that would stop the bodies within the step: a scale in free flight
+    norms.inertia  = dynamic ? std::max(inertia.l2_norm(),
+                                       momenta.l2_norm() / integration.dt) :
+                               0.;
     norms.residual = rhs.l2_norm();
     norms.internal = internal.l2_norm();
     norms.external = external.l2_norm();
     norms.contact  = contact.l2_norm();
     return failure;
+  }
+
+
+  template <int dim>
+  void
+  Model<dim>::start_motion()
+  {
+    for (Vector_t *v : {&integration.u_n,
+                        &integration.v_n,
+                        &integration.a_n,
+                        &integration.F_n})
+      *v = make_vector();
+
+    // Step 1: velocities at the nodes.
+    std::vector<types::global_dof_index> dofs;
+    Vector_t                             lumped = make_vector();
+    for (const auto &b : bodies)
+      {
+        std::vector<Expression<dim>> formulas;
+        const std::string entry = "Bodies/" + b->name + "/Initial velocity";
+        if (!b->initial_velocity.empty())
+          for (const std::string &text :
+               Utilities::split_string_list(b->initial_velocity, ";"))
+            formulas.emplace_back(text, entry);
+        AssertThrow(formulas.empty() || formulas.size() == dim,
+                    ExcMessage("'" + entry + "' has " +
+                               std::to_string(formulas.size()) +
+                               " components; expected " + std::to_string(dim) +
+                               ", separated by semicolons."));
+        const FiniteElement<dim> &scalar = b->fe->base_element(0);
+        Element<dim>              element(*b);
+        const unsigned int        n = b->fe->n_dofs_per_cell();
+        FullMatrix<double>        mass(n, n);
+        Vector<double>            diagonal(n);
+        dofs.resize(n);
+        for (const auto &cell : b->dof_handler.active_cell_iterators())
+          if (cell->is_locally_owned())
+            {
+              cell->get_dof_indices(dofs);
+              element.mass(cell, mass);
+              // the cell's mass, dealt by the diagonal
+              double total = 0., trace = 0.;
+              for (unsigned int k = 0; k < n; ++k)
+                {
+                  dofs[k] = b->numbering(dofs[k]);
+                  trace += mass(k, k);
+                  for (unsigned int l = 0; l < n; ++l)
+                    total += mass(k, l);
+                }
+              for (unsigned int k = 0; k < n; ++k)
+                {
+                  diagonal(k)     = mass(k, k) * total / trace;
+                  const auto node = b->fe->system_to_component_index(k);
+                  if (!formulas.empty() && owned.is_element(dofs[k]))
+                    integration.v_n(dofs[k]) = formulas[node.first].value(
+                      b->mapping->transform_unit_to_real_cell(
+                        cell, scalar.unit_support_point(node.second)),
+                      0.);
+                }
+              none.distribute_local_to_global(diagonal, dofs, lumped);
+            }
+      }
+    lumped.compress(VectorOperation::add);
+    integration.v_n.compress(VectorOperation::insert);
+
+    // Step 2: forces, hence accelerations of what is free to move.
+    integration.dt            = 0.;
+    const std::string failure = assemble(integration.u_n, 0., false);
+    AssertThrow(failure.empty(), ExcMessage(failure));
+    integration.F_n = internal;
+    integration.F_n -= external;
+    integration.F_n -= contact;
+    for (const auto i : owned)
+      integration.a_n(i) =
+        constraints.is_constrained(i) ? 0. : -integration.F_n(i) / lumped(i);
+    integration.a_n.compress(VectorOperation::insert);
+  }
+
+
+  template <int dim>
+  void
+  Model<dim>::commit(const Vector_t &u)
+  {
+    if (!is_dynamic())
+      return;
+    Vector_t F = internal;
+    F -= external;
+    F -= contact;
+    integration.commit(u, F);
+  }
+
+
+  template <int dim>
+  double
+  Model<dim>::kinetic_energy() const
+  {
+    const Vector_t                       v      = ghosted(integration.v_n);
+    double                               energy = 0.;
+    std::vector<types::global_dof_index> dofs;
+    for (const auto &b : bodies)
+      {
+        Element<dim>       element(*b);
+        const unsigned int n = b->fe->n_dofs_per_cell();
+        FullMatrix<double> mass(n, n);
+        Vector<double>     values;
+        for (const auto &cell : b->dof_handler.active_cell_iterators())
+          if (cell->is_locally_owned())
+            {
+              cell_values(*b, cell, v, values, dofs);
+              element.mass(cell, mass);
+              energy += 0.5 * mass.matrix_norm_square(values);
+            }
+      }
+    return Utilities::MPI::sum(energy, communicator);
+  }
+
+
+  template <int dim>
+  Tensor<1, 3>
+  Model<dim>::momentum() const
+  {
+    const Vector_t                       v = ghosted(integration.v_n);
+    std::vector<double>                  sum(3, 0.);
+    std::vector<types::global_dof_index> dofs;
+    for (const auto &b : bodies)
+      {
+        Element<dim>                    element(*b);
+        const unsigned int              n         = b->fe->n_dofs_per_cell();
+        const std::vector<unsigned int> component = components_of<dim>(*b->fe);
+        FullMatrix<double>              mass(n, n);
+        Vector<double>                  values, of_cell(n);
+        for (const auto &cell : b->dof_handler.active_cell_iterators())
+          if (cell->is_locally_owned())
+            {
+              cell_values(*b, cell, v, values, dofs);
+              element.mass(cell, mass);
+              mass.vmult(of_cell, values);
+              for (unsigned int k = 0; k < n; ++k)
+                sum[component[k]] += of_cell(k);
+            }
+      }
+    Utilities::MPI::sum(sum, communicator, sum);
+    return Tensor<1, 3>({sum[0], sum[1], sum[2]});
+  }
+
+
+  template <int dim>
+  double
+  Model<dim>::strain_energy(const Vector_t &u) const
+  {
+    const Vector_t                       u_ghosted = ghosted(u);
+    double                               energy    = 0.;
+    std::vector<types::global_dof_index> dofs;
+    for (const auto &b : bodies)
+      {
+        Element<dim>       element(*b);
+        Vector<double>     values, forces(b->fe->n_dofs_per_cell());
+        FullMatrix<double> no_tangent;
+        for (const auto &cell : b->dof_handler.active_cell_iterators())
+          if (cell->is_locally_owned())
+            {
+              cell_values(*b, cell, u_ghosted, values, dofs);
+              element.evaluate(cell, values, false, forces, no_tangent);
+              energy += element.state().energy;
+            }
+      }
+    return Utilities::MPI::sum(energy, communicator);
   }
 
 
@@ -506,7 +763,8 @@ namespace Structure
     std::vector<double> sum(3, 0.);
     for (const auto &[dof, component] : node_conditions->dofs_of(c))
       if (owned.is_element(dof))
-        sum[component] += internal(dof) - external(dof) - contact(dof);
+        sum[component] +=
+          internal(dof) - external(dof) - contact(dof) + inertia(dof);
     Utilities::MPI::sum(sum, communicator, sum);
     return Tensor<1, 3>({sum[0], sum[1], sum[2]});
   }

@@ -2,6 +2,7 @@
 #ifndef mortar_contact_structure_model_h
 #define mortar_contact_structure_model_h
 
+#include "dynamics.h"
 #include "element.h"
 #include "loads.h"
 
@@ -24,7 +25,7 @@ namespace Structure
   struct ForceNorms
   {
     double residual = 0.; ///< Of the free dofs.
-    double internal = 0., external = 0., contact = 0.;
+    double internal = 0., external = 0., contact = 0., inertia = 0.;
     /// Largest prescribed motion still to be done [m].
     double to_prescribe = 0.;
   };
@@ -33,7 +34,8 @@ namespace Structure
    * All bodies, what holds and loads them, and the contact between them, with
    * one numbering of all dofs: each rank owns one contiguous range.
    *
-   * Residual: internal forces - external forces - contact forces.
+   * Residual: internal forces - external forces - contact forces; in dynamics
+   * the residual of TimeIntegration over 1 - alpha_f.
    */
   template <int dim>
   class Model
@@ -77,6 +79,26 @@ namespace Structure
     std::string
     assemble(const Vector_t &u, const double time, const bool with_tangent);
 
+    /// Accept the state of the last assembly, at @p u, as the end of a step.
+    void
+    commit(const Vector_t &u);
+
+    bool
+    is_dynamic() const
+    {
+      return integration.parameters.is_on;
+    }
+
+    /// Of the bodies at the start of the next step [J].
+    double
+    kinetic_energy() const;
+    double
+    strain_energy(const Vector_t &u) const;
+
+    /// Sum of mass times velocity, at the start of the next step [kg m/s].
+    Tensor<1, 3>
+    momentum() const;
+
     /// Reaction of the boundary condition number @p c at the last assembly:
     /// force that it exerts on the body [N].
     Tensor<1, 3>
@@ -108,6 +130,7 @@ namespace Structure
     Vector_t                  rhs; ///< Minus the residual, condensed.
     ForceNorms                norms;
     double                    size = 0.; ///< Diagonal of the scene's box [m]
+    TimeIntegration           integration;
     bool                      is_symmetric = true;
     std::size_t               n_nonzero    = 0;
 
@@ -117,6 +140,10 @@ namespace Structure
 
     void
     make_matrix();
+
+    /// Velocities as the bodies say; accelerations from a lumped mass matrix.
+    void
+    start_motion();
 
     /// External forces of one cell: body force, tractions, pressures; with the
     /// derivative of the pressures subtracted from the tangent.
@@ -132,8 +159,9 @@ namespace Structure
     IndexSet                             owned, relevant;
     AffineConstraints<double>            hanging, none;
     std::unique_ptr<NodeConditions<dim>> node_conditions;
-    Vector_t                             internal, external, contact;
-    bool                                 pattern_is_current = false;
+    Vector_t                             internal, external, contact, inertia,
+      momenta; ///< Mass times velocity.
+    bool pattern_is_current = false;
 
     /// Loads by body, with their formulas.
     struct Load

@@ -13,6 +13,10 @@ namespace Structure
     /// Forces below this times (stiffness x area of the scene) are none.
     constexpr double force_floor = 1e-12;
 
+    /// Forces below this times (stiffness x size^(dim-2) x displacement) are
+    /// none: what is left of large internal forces that cancel in rigid motion.
+    constexpr double cancellation = 1e-8;
+
     /// Motions below this times the size of the scene are none.
     constexpr double motion_floor = 1e-12;
 
@@ -100,7 +104,13 @@ namespace Structure
         // Step 1: converged?
         const ForceNorms &n = model.norms;
         const double      scale =
-          std::max({n.internal, n.external, n.contact, floor});
+          std::max({n.internal,
+                    n.external,
+                    n.contact,
+                    n.inertia,
+                    floor,
+                    cancellation * modulus * std::pow(model.size, dim - 2.) *
+                      u.linfty_norm()});
         iterate.residual     = n.residual / scale;
         const bool at_target = n.to_prescribe <= motion_floor * model.size;
         watch(iterate);

@@ -33,10 +33,9 @@ namespace Structure
       if (values.empty())
         return v;
       AssertThrow(values.size() == dim,
-                  ExcMessage("'" + entry + "' has " +
-                             std::to_string(values.size()) +
-                             " numbers; expected " + std::to_string(dim) +
-                             "."));
+                  ExcMessage(
+                    "'" + entry + "' has " + std::to_string(values.size()) +
+                    " numbers; expected " + std::to_string(dim) + "."));
       for (unsigned int i = 0; i < dim; ++i)
         v[i] = values[i];
       return v;
@@ -82,10 +81,19 @@ namespace Structure
       "axis: ball, cylinder (endless for Length 0), cone (apex at the origin, "
       "opens to negative), torus, plane (the body is below), box and ellipsoid "
       "(Sizes), formula; or a mesh of facets.");
-    prm.declare_entry("Radius", "1.0", positive, "Of ball, cylinder, torus [length].");
+    prm.declare_entry("Radius",
+                      "1.0",
+                      positive,
+                      "Of ball, cylinder, torus [length].");
     prm.declare_entry("Tube radius", "0.5", positive, "Of the torus [length].");
-    prm.declare_entry("Length", "0.0", Patterns::Double(0.), "Of the cylinder [length].");
-    prm.declare_entry("Half angle", "45.0", Patterns::Double(1., 89.), "Of the cone [degrees].");
+    prm.declare_entry("Length",
+                      "0.0",
+                      Patterns::Double(0.),
+                      "Of the cylinder [length].");
+    prm.declare_entry("Half angle",
+                      "45.0",
+                      Patterns::Double(1., 89.),
+                      "Of the cone [degrees].");
     prm.declare_entry("Sizes",
                       "",
                       list,
@@ -101,10 +109,13 @@ namespace Structure
                       Patterns::Anything(),
                       "Surface mesh: STL, gmsh .msh, Abaqus .inp, .vtk; from "
                       "where the parameter file is.");
-    prm.declare_entry("Scale", "1.0", positive, "Of the mesh's coordinates [-].");
+    prm.declare_entry("Scale",
+                      "1.0",
+                      positive,
+                      "Of the mesh's coordinates [-].");
     prm.declare_entry("Smooth",
                       "no",
-                      Patterns::Bool(),
+                      Patterns::Selection("yes|no"),
                       "Replace the facets by quadratic patches across their "
                       "vertex normals (Nagata): no ripple of the force where a "
                       "coarse round tool slides. Primary only.");
@@ -132,51 +143,54 @@ namespace Structure
                       "0",
                       Patterns::Anything(),
                       "A formula in t [rad].");
-    prm.declare_entry("Rotation centre",
-                      "",
-                      list,
-                      "Moments are taken about it, too; it moves with the body; "
-                      "empty: Position [length].");
+    prm.declare_entry(
+      "Rotation centre",
+      "",
+      list,
+      "Moments are taken about it, too; it moves with the body; "
+      "empty: Position [length].");
   }
 
 
   void
   RigidParameters::read(ParameterHandler &prm)
   {
-    type            = prm.get("Type");
-    radius          = prm.get_double("Radius");
-    tube_radius     = prm.get_double("Tube radius");
-    length          = prm.get_double("Length");
-    half_angle      = prm.get_double("Half angle");
-    sizes           = numbers_in(prm, "Sizes");
-    formula         = prm.get("Formula");
-    file            = prm.get("File");
-    scale           = prm.get_double("Scale");
-    smooth          = prm.get_bool("Smooth");
-    crease_angle    = prm.get_double("Crease angle");
-    position        = numbers_in(prm, "Position");
-    axis            = numbers_in(prm, "Axis");
-    translation     = {{prm.get("Move x"), prm.get("Move y"), prm.get("Move z")}};
-    rotation_axis   = numbers_in(prm, "Rotation axis");
+    type          = prm.get("Type");
+    radius        = prm.get_double("Radius");
+    tube_radius   = prm.get_double("Tube radius");
+    length        = prm.get_double("Length");
+    half_angle    = prm.get_double("Half angle");
+    sizes         = numbers_in(prm, "Sizes");
+    formula       = prm.get("Formula");
+    file          = prm.get("File");
+    scale         = prm.get_double("Scale");
+    smooth        = prm.get("Smooth") == "yes";
+    crease_angle  = prm.get_double("Crease angle");
+    position      = numbers_in(prm, "Position");
+    axis          = numbers_in(prm, "Axis");
+    translation   = {{prm.get("Move x"), prm.get("Move y"), prm.get("Move z")}};
+    rotation_axis = numbers_in(prm, "Rotation axis");
     rotation_angle  = prm.get("Rotation angle");
     rotation_centre = numbers_in(prm, "Rotation centre");
     AssertThrow((type == "formula") != formula.empty(),
-                ExcMessage("'Type' is '" + type + "' and 'Formula' is '" +
-                           formula +
-                           "'; expected a formula with Type = formula, and none "
-                           "without."));
+                ExcMessage(
+                  "'Type' is '" + type + "' and 'Formula' is '" + formula +
+                  "'; expected a formula with Type = formula, and none "
+                  "without."));
     AssertThrow((type == "mesh") != file.empty(),
                 ExcMessage("'Type' is '" + type + "' and 'File' is '" + file +
                            "'; expected a file with Type = mesh, and none "
                            "without."));
     AssertThrow((type == "box" || type == "ellipsoid") != sizes.empty(),
-                ExcMessage("'Type' is '" + type + "' and 'Sizes' has " +
-                           std::to_string(sizes.size()) +
-                           " numbers; box and ellipsoid need sizes, others have "
-                           "none."));
+                ExcMessage(
+                  "'Type' is '" + type + "' and 'Sizes' has " +
+                  std::to_string(sizes.size()) +
+                  " numbers; box and ellipsoid need sizes, others have "
+                  "none."));
     for (const double s : sizes)
-      AssertThrow(s > 0., ExcMessage("'Sizes' has " + std::to_string(s) +
-                                     "; expected positive numbers."));
+      AssertThrow(s > 0.,
+                  ExcMessage("'Sizes' has " + std::to_string(s) +
+                             "; expected positive numbers."));
     AssertThrow(!smooth || type == "mesh",
                 ExcMessage("'Smooth' is 'yes' but 'Type' is '" + type +
                            "'; only a mesh has facets."));
@@ -244,9 +258,10 @@ namespace Structure
           }
         else
           AssertThrow(false,
-                      ExcMessage("'Type' is '" + type +
-                                 "' but 'Dimension' is 2; expected ball, plane, "
-                                 "box, ellipsoid, formula or mesh."));
+                      ExcMessage(
+                        "'Type' is '" + type +
+                        "' but 'Dimension' is 2; expected ball, plane, "
+                        "box, ellipsoid, formula or mesh."));
         body = std::make_shared<RigidBody<dim>>(
           name, std::make_unique<ImplicitObstacle<dim>>(std::move(shape)));
       }
@@ -297,6 +312,21 @@ namespace Structure
   }
 
 
+  template <int dim>
+  Tensor<1, 3>
+  RigidParameters::shift(const double time) const
+  {
+    Tensor<1, 3> u;
+    for (unsigned int i = 0; i < dim; ++i)
+      u[i] = Expression<dim>(translation[i], "Move").value(Point<dim>(), time);
+    return u;
+  }
+
+
+  template Tensor<1, 3>
+  RigidParameters::shift<2>(const double) const;
+  template Tensor<1, 3>
+  RigidParameters::shift<3>(const double) const;
   template std::shared_ptr<RigidBody<2>>
   RigidParameters::make<2>() const;
   template std::shared_ptr<RigidBody<3>>

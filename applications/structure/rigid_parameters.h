@@ -29,8 +29,13 @@ namespace Structure
     std::shared_ptr<MortarContact::RigidBody<dim>>
     make() const;
 
+    /// Translation at a time.
+    template <int dim>
+    Tensor<1, 3>
+    shift(const double time) const;
+
     std::string                name;
-    std::string                type = "ball";
+    std::string                type   = "ball";
     double                     radius = 1., tube_radius = 0.5, length = 0.;
     double                     half_angle = 45.; ///< [deg]
     std::vector<double>        sizes;

@@ -75,7 +75,7 @@ namespace Structure
     /// The lists of names that decide which subsections there are.
     struct Names
     {
-      std::vector<std::string> bodies, conditions, interfaces, probes;
+      std::vector<std::string> bodies, conditions, interfaces, probes, rigid;
     };
 
     void
@@ -104,6 +104,9 @@ namespace Structure
       list("Contact",
            "Interfaces",
            "Names of the contact interfaces; one subsection each.");
+      list("Rigid bodies",
+           "Names",
+           "Names of the rigid bodies; one subsection each.");
       list("Probes",
            "Names",
            "Names of points whose displacement is recorded; one subsection "
@@ -125,6 +128,9 @@ namespace Structure
       });
       in_section(prm, {"Contact"}, [&]() {
         names.interfaces = names_of(prm, "Interfaces");
+      });
+      in_section(prm, {"Rigid bodies"}, [&]() {
+        names.rigid = names_of(prm, "Names");
       });
       in_section(prm, {"Probes"}, [&]() {
         names.probes = names_of(prm, "Names");
@@ -157,6 +163,11 @@ namespace Structure
                         Patterns::Anything(),
                         "Force per undeformed volume: formulas in x, y, z, t, "
                         "one per component, separated by semicolons.");
+      prm.declare_entry("Initial velocity",
+                        "",
+                        Patterns::Anything(),
+                        "Formulas in x, y, z, one per component, separated by "
+                        "semicolons [length/time]; empty: at rest.");
     }
 
     void
@@ -164,9 +175,10 @@ namespace Structure
     {
       in_section(prm, {"Mesh"}, [&]() { body.mesh.read(prm); });
       in_section(prm, {"Material"}, [&]() { body.material.read(prm); });
-      body.degree          = prm.get_integer("Degree");
-      body.mean_dilatation = prm.get("Mean dilatation");
-      body.body_force      = prm.get("Body force");
+      body.degree           = prm.get_integer("Degree");
+      body.mean_dilatation  = prm.get("Mean dilatation");
+      body.body_force       = prm.get("Body force");
+      body.initial_velocity = prm.get("Initial velocity");
       AssertThrow(body.mean_dilatation != "yes" ||
                     body.material.law == "Mooney-Rivlin",
                   ExcMessage("'Mean dilatation' is 'yes' but 'Material/Law' is "
@@ -279,6 +291,7 @@ namespace Structure
         prm.leave_subsection();
       };
       each("Bodies", names.bodies, declare_body);
+      each("Rigid bodies", names.rigid, RigidParameters::declare);
       each("Boundary conditions", names.conditions, declare_condition);
       each("Contact", names.interfaces, declare_interface);
       each("Probes", names.probes, [](ParameterHandler &p) {
@@ -328,9 +341,6 @@ namespace Structure
           }
         parts.push_back(selection);
       }
-    AssertThrow(!parts.empty(),
-                ExcMessage("'" + entry +
-                           "' is empty; expected the name of a body."));
     return parts;
   }
 
@@ -370,6 +380,9 @@ namespace Structure
                       "",
                       Patterns::List(Patterns::Double(0.)),
                       "Times at which a step ends [time].");
+    prm.leave_subsection();
+    prm.enter_subsection("Dynamics");
+    DynamicsParameters::declare(prm);
     prm.leave_subsection();
     prm.enter_subsection("Solver");
     prm.enter_subsection("Newton");
@@ -418,6 +431,7 @@ namespace Structure
                              ") and 'Largest step' (" +
                              std::to_string(s.largest) + ")."));
     });
+    in_section(prm, {"Dynamics"}, [&]() { scene.dynamics.read(prm); });
     in_section(prm, {"Solver", "Newton"}, [&]() { scene.newton.read(prm); });
     in_section(prm, {"Solver", "Linear"}, [&]() { scene.linear.read(prm); });
     in_section(prm, {"Output"}, [&]() {
@@ -490,6 +504,14 @@ namespace Structure
           read_body(prm, scene.bodies.back());
         });
       }
+    for (const auto &name : names.rigid)
+      {
+        scene.rigid_bodies.emplace_back();
+        scene.rigid_bodies.back().name = name;
+        in_section(prm, {"Rigid bodies", name}, [&]() {
+          scene.rigid_bodies.back().read(prm);
+        });
+      }
     for (const auto &name : names.conditions)
       {
         scene.conditions.emplace_back();
@@ -519,6 +541,10 @@ namespace Structure
       for (BodyParameters &body : scene.bodies)
         if (!body.mesh.file.empty() && body.mesh.file[0] != '/')
           body.mesh.file = source.file.substr(0, slash + 1) + body.mesh.file;
+    if (slash != std::string::npos)
+      for (RigidParameters &body : scene.rigid_bodies)
+        if (!body.file.empty() && body.file[0] != '/')
+          body.file = source.file.substr(0, slash + 1) + body.file;
 
     check_scene(scene);
     std::ostringstream out;
@@ -534,6 +560,12 @@ namespace Structure
     std::vector<std::string> names;
     for (const auto &b : scene.bodies)
       names.push_back(b.name);
+    for (const auto &r : scene.rigid_bodies)
+      AssertThrow(std::find(names.begin(), names.end(), r.name) == names.end(),
+                  ExcMessage(
+                    "'Rigid bodies/Names' and 'Bodies/Names' both have "
+                    "'" +
+                    r.name + "'; expected different names."));
     const auto check = [&](const std::string &name, const std::string &entry) {
       AssertThrow(std::find(names.begin(), names.end(), name) != names.end(),
                   ExcMessage("'" + entry + "' names the body '" + name +
@@ -546,12 +578,33 @@ namespace Structure
                     ExcMessage("'Boundary conditions/" + c.name +
                                "/z' is set but 'Dimension' is 2."));
       }
+    const std::vector<std::string> deformable = names;
+    for (const auto &r : scene.rigid_bodies)
+      names.push_back(r.name);
+    for (const auto &i : scene.interfaces)
+      {
+        const bool is_single =
+          i.contact.kind ==
+          MortarContact::ContactParameters::Kind::automatic_single_surface;
+        AssertThrow(i.primary.empty() == is_single,
+                    ExcMessage(
+                      "'Contact/" + i.name + "/Primary' is " +
+                      (is_single ?
+                         "set but 'Kind' is 'automatic single surface'; name "
+                         "all parts as Secondary, and no Primary." :
+                         "empty; expected at least one body.")));
+        AssertThrow(!i.secondary.empty(),
+                    ExcMessage("'Contact/" + i.name +
+                               "/Secondary' is empty; expected at least one "
+                               "body."));
+      }
     for (const auto &i : scene.interfaces)
       for (const auto &[parts, side] :
            {std::make_pair(&i.secondary, "Secondary"),
             std::make_pair(&i.primary, "Primary")})
         for (const auto &part : *parts)
           check(part.body, "Contact/" + i.name + "/" + side);
+    names = deformable;
     for (const auto &p : scene.output.probes)
       {
         check(p.body, "Probes/" + p.name + "/Body");
@@ -579,6 +632,19 @@ namespace Structure
                                      " of '" + a.body +
                                      "'. Remove one of them."));
         }
+    for (const auto &b : scene.bodies)
+      {
+        AssertThrow(!scene.dynamics.is_on || b.material.density > 0.,
+                    ExcMessage("'Dynamics/Type' is 'dynamic' but 'Bodies/" +
+                               b.name +
+                               "/Material/Density' is 0; expected a positive "
+                               "density."));
+        AssertThrow(scene.dynamics.is_on || b.initial_velocity.empty(),
+                    ExcMessage(
+                      "'Bodies/" + b.name +
+                      "/Initial velocity' is set but 'Dynamics/Type' is "
+                      "'static'. Remove one of them."));
+      }
     // treatments that end at a time: a step ends there
     for (const auto &i : scene.interfaces)
       if (i.contact.removal_time > 0.)
@@ -590,8 +656,8 @@ namespace Structure
   default_scene(const std::string &driver)
   {
     ParameterHandler prm;
-    declare_everything(prm,
-                       {{"body"}, {"condition"}, {"interface"}, {"probe"}});
+    declare_everything(
+      prm, {{"body"}, {"condition"}, {"interface"}, {"probe"}, {"rigid body"}});
     prm.set("Driver", driver);
     std::ostringstream out;
     prm.print_parameters(out, ParameterHandler::PRM);

@@ -3,8 +3,10 @@
 #define mortar_contact_structure_scene_h
 
 #include "../geometry/mesh_parameters.h"
+#include "dynamics.h"
 #include "loads.h"
 #include "newton.h"
+#include "rigid_parameters.h"
 
 #include <mortar_contact/parameters/contact_parameters.h>
 
@@ -22,6 +24,8 @@ namespace Structure
     unsigned int       degree          = 1;
     std::string        mean_dilatation = "automatic";
     std::string        body_force;
+    /// Velocity at the start: formulas in x, y, z; empty: at rest.
+    std::string initial_velocity;
   };
 
   /// Faces of a body that belong to a surface: "body", "body: boundary 1, 2",
@@ -71,6 +75,8 @@ namespace Structure
   {
     unsigned int                     dimension = 3;
     std::vector<BodyParameters>      bodies;
+    std::vector<RigidParameters>     rigid_bodies;
+    DynamicsParameters               dynamics;
     std::vector<BoundaryCondition>   conditions;
     std::vector<InterfaceParameters> interfaces;
     StepParameters                   steps;

@@ -110,7 +110,8 @@ namespace Structure
                         ExcMessage("In section 'Bodies/" + b.name +
                                    "': " + Utilities::trim(info.str())));
           }
-        model.bodies.back()->body_force = b.body_force;
+        model.bodies.back()->body_force       = b.body_force;
+        model.bodies.back()->initial_velocity = b.initial_velocity;
       }
     for (const BoundaryCondition &c : scene.conditions)
       {
@@ -127,8 +128,22 @@ namespace Structure
                                    known + "."));
           }
       }
-    model.conditions = scene.conditions;
+    model.conditions  = scene.conditions;
+    model.integration = TimeIntegration(scene.dynamics);
     model.number_dofs();
+    for (const RigidParameters &r : scene.rigid_bodies)
+      try
+        {
+          rigid_bodies.push_back(r.make<dim>());
+        }
+      catch (const ExcMessage &e)
+        {
+          std::ostringstream info;
+          e.print_info(info);
+          AssertThrow(false,
+                      ExcMessage("In section 'Rigid bodies/" + r.name +
+                                 "': " + Utilities::trim(info.str())));
+        }
 
     for (const InterfaceParameters &i : scene.interfaces)
       {
@@ -139,6 +154,19 @@ namespace Structure
         for (const bool secondary : {true, false})
           for (const PartSelection &part : secondary ? i.secondary : i.primary)
             {
+              const auto rigid = std::find_if(rigid_bodies.begin(),
+                                              rigid_bodies.end(),
+                                              [&](const auto &r) {
+                                                return r->name == part.body;
+                                              });
+              if (rigid != rigid_bodies.end())
+                {
+                  if (secondary)
+                    interface->add_secondary(*rigid);
+                  else
+                    interface->add_primary(*rigid);
+                  continue;
+                }
               const Body<dim> &b       = model.body(part.body);
               const double     modulus = b.material->contact_modulus;
               const auto of_cell = [modulus](const auto &) { return modulus; };
@@ -234,32 +262,74 @@ namespace Structure
 
 
   template <int dim>
+  std::pair<Tensor<1, 3>, Tensor<1, 3>>
+  Simulation<dim>::resultant(const MortarContact::RigidBody<dim> &body) const
+  {
+    std::pair<Tensor<1, 3>, Tensor<1, 3>> sum;
+    for (const auto &interface : model.interfaces)
+      for (const auto &part : interface->report().parts)
+        if (part.name == body.name)
+          {
+            sum.first += part.force;
+            sum.second += part.moment;
+          }
+    // about the centre of rotation, which moves with the body
+    const RigidParameters *p = nullptr;
+    for (const auto &r : scene.rigid_bodies)
+      if (r.name == body.name)
+        p = &r;
+    const auto &centre =
+      p->rotation_centre.empty() ? p->position : p->rotation_centre;
+    Tensor<1, 3> c;
+    for (unsigned int i = 0; i < dim && i < centre.size(); ++i)
+      c[i] = centre[i];
+    const Tensor<1, 3> u = p->template shift<dim>(time);
+    sum.second -= cross_product_3d(c + u, sum.first);
+    return sum;
+  }
+
+
+  template <int dim>
   std::string
   Simulation<dim>::try_step(const double new_time)
   {
     Vector_t trial = u;
-    last_newton    = solve_step(model,
-                             scene.newton,
-                             scene.linear,
-                             new_time,
-                             trial,
-                             [&](const NewtonIterate &i) {
-                               std::ostringstream out;
-                               out << "    iteration " << i.iteration
-                                   << "  residual " << std::scientific
-                                   << std::setprecision(2) << i.residual;
-                               if (i.iteration > 0)
-                                 {
-                                   out << "  update " << i.update;
-                                   if (i.step < 1.)
-                                     out << "  step " << std::fixed << i.step;
-                                   if (i.linear.iterations > 0 ||
-                                       i.linear.method != "MUMPS")
-                                     out << "  " << i.linear.method << " "
-                                         << i.linear.iterations;
-                                 }
-                               log.line(out.str());
-                             });
+    model.integration.start_step(new_time - time);
+    last_newton = NewtonResult();
+    bool again  = true;
+    while (again)
+      {
+        const NewtonResult solved = solve_step(
+          model,
+          scene.newton,
+          scene.linear,
+          new_time,
+          trial,
+          [&](const NewtonIterate &i) {
+            std::ostringstream out;
+            out << "    iteration " << i.iteration << "  residual "
+                << std::scientific << std::setprecision(2) << i.residual;
+            if (i.iteration > 0)
+              {
+                out << "  update " << i.update;
+                if (i.step < 1.)
+                  out << "  step " << std::fixed << i.step;
+                if (i.linear.iterations > 0 || i.linear.method != "MUMPS")
+                  out << "  " << i.linear.method << " " << i.linear.iterations;
+              }
+            log.line(out.str());
+          });
+        // with augmentations a step is solved more than once
+        last_newton.converged = solved.converged;
+        last_newton.failure   = solved.failure;
+        last_newton.residual  = solved.residual;
+        last_newton.iterations += solved.iterations;
+        last_newton.linear_iterations += solved.linear_iterations;
+        again = false;
+        if (solved.converged)
+          for (const auto &interface : model.interfaces)
+            again = interface->augment() || again;
+      }
     newton_iterations += last_newton.iterations;
     linear_iterations += last_newton.linear_iterations;
     if (!last_newton.converged)
@@ -340,6 +410,7 @@ namespace Structure
         const double step_size = target - time;
         time                   = target;
         ++step;
+        model.commit(u);
         for (const auto &interface : model.interfaces)
           interface->commit(time);
         if (last_newton.iterations <= s.target_iterations)
@@ -411,16 +482,50 @@ namespace Structure
         row.emplace_back(n + "penetration_over_release",
                          r.relative_penetration);
         row.emplace_back(n + "mean_penetration", r.mean_penetration);
+        row.emplace_back(n + "largest_pressure", r.largest_pressure);
         row.emplace_back(n + "largest_overlap", r.largest_overlap);
         row.emplace_back(n + "active_area", r.active_area);
         row.emplace_back(n + "active_pairs", r.active_pairs);
         row.emplace_back(n + "energy", r.energy);
         row.emplace_back(n + "released_facets", r.n_released);
+        if (interface->parameters.friction.is_on())
+          {
+            row.emplace_back(n + "slip_area", r.slip_area);
+            row.emplace_back(n + "friction_dissipation", r.dissipation);
+            row.emplace_back(n + "elastic_slip", r.elastic_slip);
+          }
+        if (interface->ties() != nullptr)
+          {
+            row.emplace_back(n + "whole_tied_area", r.whole_tied_area);
+            row.emplace_back(n + "failed_tied_area", r.failed_tied_area);
+            row.emplace_back(n + "damage_dissipation", r.damage_dissipation);
+            row.emplace_back(n + "largest_tie_jump", r.largest_tie_jump);
+          }
+        if (interface->parameters.augmentation.is_on)
+          row.emplace_back(n + "augmentations_total", r.n_augmentations_total);
         row.emplace_back(n + "remaining_overlap_share",
                          MortarContact::removal_share(
                            interface->parameters.initial_penetration,
                            time,
                            interface->parameters.removal_time));
+      }
+    for (const auto &body : rigid_bodies)
+      {
+        const auto [force, moment] = resultant(*body);
+        for (unsigned int i = 0; i < dim; ++i)
+          row.emplace_back("rigid:" + body->name + "_force_" + "xyz"[i],
+                           force[i]);
+        for (unsigned int i = (dim == 2 ? 2 : 0); i < 3; ++i)
+          row.emplace_back("rigid:" + body->name + "_moment_" + "xyz"[i],
+                           moment[i]);
+      }
+    if (model.is_dynamic())
+      {
+        row.emplace_back("kinetic_energy", model.kinetic_energy());
+        row.emplace_back("strain_energy", model.strain_energy(u));
+        const Tensor<1, 3> momentum = model.momentum();
+        for (unsigned int i = 0; i < dim; ++i)
+          row.emplace_back(std::string("momentum_") + "xyz"[i], momentum[i]);
       }
     for (unsigned int c = 0; c < model.conditions.size(); ++c)
       if (model.conditions[c].type == BoundaryCondition::Type::displacement ||
@@ -476,6 +581,12 @@ namespace Structure
     std::vector<double> values;
     for (const auto i : model.owned_dofs())
       values.push_back(u(i));
+    if (model.is_dynamic())
+      for (const Vector_t *v : {&model.integration.v_n,
+                                &model.integration.a_n,
+                                &model.integration.F_n})
+        for (const auto i : model.owned_dofs())
+          values.push_back((*v)(i));
     bool ok = false;
     try
       {
@@ -544,7 +655,8 @@ namespace Structure
               {
                 archive &time &step &next_step &cut_backs &newton_iterations
                   &linear_iterations &values;
-                if (values.size() != model.owned_dofs().n_elements())
+                if (values.size() != model.owned_dofs().n_elements() *
+                                       (model.is_dynamic() ? 4 : 1))
                   failure = "it is damaged";
               }
             if (failure.empty())
@@ -552,6 +664,15 @@ namespace Structure
                 std::size_t i = 0;
                 for (const auto dof : model.owned_dofs())
                   u(dof) = values[i++];
+                if (model.is_dynamic())
+                  {
+                    model.integration.u_n = u;
+                    for (Vector_t *v : {&model.integration.v_n,
+                                        &model.integration.a_n,
+                                        &model.integration.F_n})
+                      for (const auto dof : model.owned_dofs())
+                        (*v)(dof) = values[i++];
+                  }
                 other_parameters = head.parameters != used_parameters;
                 for (const auto &interface : model.interfaces)
                   interface->load(in);
@@ -569,6 +690,15 @@ namespace Structure
                 ExcMessage("The checkpoint '" + file +
                            "' cannot be continued: " + failure + "."));
     u.compress(VectorOperation::insert);
+    if (model.is_dynamic())
+      {
+        for (Vector_t *v : {&model.integration.v_n,
+                            &model.integration.a_n,
+                            &model.integration.F_n})
+          v->compress(VectorOperation::insert);
+        model.integration.u_n = u;
+        model.integration.dt  = 0.;
+      }
     // the same folder by whatever name: its files are kept
     std::error_code error;
     const bool      same_folder = Utilities::MPI::broadcast(
@@ -625,15 +755,35 @@ namespace Structure
         j["largest_penetration"]      = r.largest_penetration;
         j["penetration_over_release"] = r.relative_penetration;
         j["mean_penetration"]         = r.mean_penetration;
+        j["largest_pressure"]         = r.largest_pressure;
         j["largest_overlap"]          = r.largest_overlap;
         j["active_area"]              = r.active_area;
         j["energy"]                   = r.energy;
         j["released_facets"]          = r.n_released;
+        j["slip_area"]                = r.slip_area;
+        j["friction_dissipation"]     = r.dissipation;
+        j["elastic_slip"]             = r.elastic_slip;
+        j["tied_area"]                = r.initial.tied_area;
+        j["whole_tied_area"]          = r.whole_tied_area;
+        j["failed_tied_area"]         = r.failed_tied_area;
+        j["damage_dissipation"]       = r.damage_dissipation;
+        j["largest_tie_jump"]         = r.largest_tie_jump;
+        j["augmentations"]            = r.n_augmentations_total;
         j["search_seconds"]           = r.search_seconds;
         j["evaluate_seconds"]         = r.evaluate_seconds;
         j["initial_penetrating_facets"]  = r.initial.n_facets;
         j["initial_deepest_penetration"] = r.initial.deepest.penetration;
         j["initial_undetected_facets"]   = r.initial.n_undetected;
+      }
+    for (const auto &body : rigid_bodies)
+      {
+        const auto [force, moment]                 = resultant(*body);
+        json["rigid_bodies"][body->name]["force"]  = {force[0],
+                                                      force[1],
+                                                      force[2]};
+        json["rigid_bodies"][body->name]["moment"] = {moment[0],
+                                                      moment[1],
+                                                      moment[2]};
       }
     for (unsigned int c = 0; c < model.conditions.size(); ++c)
       if (model.conditions[c].type == BoundaryCondition::Type::displacement)

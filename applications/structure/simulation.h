@@ -22,8 +22,8 @@ namespace Structure
   };
 
   /**
-   * A quasi-static run of a scene: builds the model, steps through time with
-   * automatic step size, writes what is asked for.
+   * A static or dynamic run of a scene: builds the model, steps through time
+   * with automatic step size, writes what is asked for.
    */
   template <int dim>
   class Simulation
@@ -69,6 +69,11 @@ namespace Structure
     unsigned int   linear_iterations = 0;
     NewtonResult   last_newton; ///< Of the last accepted step.
 
+    /// Contact force on a rigid body, and its moment about the body's centre of
+    /// rotation [N, N m].
+    std::pair<Tensor<1, 3>, Tensor<1, 3>>
+    resultant(const MortarContact::RigidBody<dim> &body) const;
+
     /// Displacement of a probe.
     Tensor<1, dim>
     probe(const unsigned int p) const;
@@ -93,7 +98,8 @@ namespace Structure
     double       next_step         = 0.; ///< Size of the next step.
     unsigned int cut_backs_of_step = 0;
     Timer        wall;
-    std::vector<std::array<types::global_dof_index, dim>> probe_dofs;
+    std::vector<std::shared_ptr<MortarContact::RigidBody<dim>>> rigid_bodies;
+    std::vector<std::array<types::global_dof_index, dim>>       probe_dofs;
   };
 } // namespace Structure
 

@@ -60,22 +60,22 @@ namespace MortarContact
   {
     // Step 1: lines and triangles.
     std::vector<Facet<dim>> facets;
-    for (const Facet<dim> &f : all)
-      if (f.n_vertices == 4)
-        {
-          Facet<dim> a, b;
-          a.n_vertices = b.n_vertices = 3;
-          a.x[0]                      = f.x[0];
-          a.x[1]                      = f.x[1];
-          a.x[2]                      = f.x[2 % max_vertices<dim>];
-          b.x[0]                      = f.x[0];
-          b.x[1]                      = f.x[2 % max_vertices<dim>];
-          b.x[2 % max_vertices<dim>]  = f.x[3 % max_vertices<dim>];
-          facets.push_back(a);
-          facets.push_back(b);
-        }
-      else
-        facets.push_back(f);
+    if constexpr (dim == 2)
+      facets = all;
+    else
+      for (const Facet<dim> &f : all)
+        if (f.n_vertices == 4)
+          for (const unsigned int v : {1u, 2u})
+            {
+              Facet<dim> half;
+              half.n_vertices = 3;
+              half.x[0]       = f.x[0];
+              half.x[1]       = f.x[v];
+              half.x[2]       = f.x[v + 1];
+              facets.push_back(half);
+            }
+        else
+          facets.push_back(f);
 
     // Step 2: normals at the vertices, means over the facets around (weighted
     // by area) that meet without a crease.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <sstream>
 
 namespace MortarContact
@@ -86,7 +87,7 @@ namespace MortarContact
   {
     ContactReport &r = last_report;
     // Step 1: sums and maxima of this rank.
-    std::vector<double> sums(18, 0.), maxima(6, 0.);
+    std::vector<double> sums(18, 0.), maxima(7, 0.);
     maxima[2] = std::numeric_limits<double>::lowest();
     std::vector<DeepPenetration> worst;
     for (unsigned int i = 0; i < sweeps.size(); ++i)
@@ -113,6 +114,7 @@ namespace MortarContact
             sums[16] += block.slip_area;
             sums[17] += block.dissipation;
             maxima[4] = std::max(maxima[4], block.elastic_slip);
+            maxima[6] = std::max(maxima[6], block.pressure);
             const double relative =
               block.relative_penetration / parameters.largest_share();
             maxima[0] = std::max(maxima[0], block.penetration);
@@ -127,25 +129,55 @@ namespace MortarContact
           }
       }
 
-    // Body 0: side i of sweep i.
+    // Forces by part; the secondary is side 0.
+    std::map<std::string, unsigned int> part_numbers;
+    for (const auto &surface : surfaces)
+      for (const FacetLabel &label : surface.labels)
+        part_numbers.try_emplace(label.part, part_numbers.size());
+    if (obstacle)
+      part_numbers.try_emplace(obstacle->name, part_numbers.size());
+    std::vector<double> of_parts(6 * part_numbers.size(), 0.);
     for_each_pair([&](const unsigned int i, const auto &pair) {
-      for_each_force<dim>(surfaces[side_of(i, 0)].skin,
-                          obstacle ? nullptr : &surfaces[side_of(i, 1)].skin,
-                          pair,
-                          [&](const unsigned int  role,
-                              const Tensor<1, 3> &x,
-                              const Tensor<1, 3> &force) {
-                            if (role != i)
-                              return;
-                            const Tensor<1, 3> moment =
-                              cross_product_3d(x, force);
-                            for (unsigned int c = 0; c < 3; ++c)
-                              {
-                                sums[10 + c] += force[c];
-                                sums[13 + c] += moment[c];
-                              }
-                          });
+      for_each_force<dim>(
+        surfaces[side_of(i, 0)].skin,
+        obstacle ? nullptr : &surfaces[side_of(i, 1)].skin,
+        pair,
+        [&](const unsigned int  role,
+            const Tensor<1, 3> &x,
+            const Tensor<1, 3> &force) {
+          const Tensor<1, 3> moment = cross_product_3d(x, force);
+          const unsigned int facet =
+            (role == 0) ? pair.secondary : pair.primary;
+          double *of_part =
+            &of_parts
+              [6 * part_numbers[surfaces[side_of(i, role)].labels[facet].part]];
+          for (unsigned int c = 0; c < 3; ++c)
+            {
+              of_part[c] += force[c];
+              of_part[3 + c] += moment[c];
+              if (role == i)
+                {
+                  sums[10 + c] += force[c];
+                  sums[13 + c] += moment[c];
+                }
+            }
+          if (obstacle)
+            for (unsigned int c = 0; c < 3; ++c)
+              {
+                of_parts[6 * part_numbers[obstacle->name] + c] -= force[c];
+                of_parts[6 * part_numbers[obstacle->name] + 3 + c] -= moment[c];
+              }
+        });
     });
+    Utilities::MPI::sum(of_parts, communicator, of_parts);
+    r.parts.clear();
+    for (const auto &[part, k] : part_numbers)
+      {
+        const double *of_part = &of_parts[6 * k];
+        r.parts.push_back({part,
+                           Tensor<1, 3>({of_part[0], of_part[1], of_part[2]}),
+                           Tensor<1, 3>({of_part[3], of_part[4], of_part[5]})});
+      }
     if (tie_sweep)
       maxima[5] = tie_sweep->largest_opening();
 
@@ -174,6 +206,7 @@ namespace MortarContact
     r.slip_area            = sums[16];
     r.dissipation          = dissipation + sums[17];
     r.elastic_slip         = maxima[4];
+    r.largest_pressure     = maxima[6];
     r.largest_tie_jump     = maxima[5];
     if (tie_sweep)
       {

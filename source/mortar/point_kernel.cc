@@ -156,6 +156,7 @@ namespace MortarContact
         block.active_area += W;
         block.penetration_volume += W * std::max(d, 0.);
         block.energy += W * r.energy;
+        block.pressure = std::max(block.pressure, sigma);
       }
     if (d > block.penetration)
       {

@@ -64,9 +64,17 @@ namespace MortarContact
     // Step 1: the law.
     const Tensor<1, dim> r =
       interpolate(frame.facet, N_s) - interpolate(primary, N_p);
-    const Tensor<1, dim>   c = components_in(frame, r);
-    const TieResponse<dim> response =
-      law.evaluate(c - tie.apart, tie.stiffness, tie.history);
+    const Tensor<1, dim> c = components_in(frame, r);
+    // the law's normal jump is an opening, c_n the opposite
+    Tensor<1, dim> jump = c - tie.apart;
+    jump[T] *= -1.;
+    TieResponse<dim> response = law.evaluate(jump, tie.stiffness, tie.history);
+    response.traction[T] *= -1.;
+    for (unsigned int a = 0; a < T; ++a)
+      {
+        response.tangent[a][T] *= -1.;
+        response.tangent[T][a] *= -1.;
+      }
 
     block.energy += W * response.energy;
     block.area += W;

@@ -479,3 +479,266 @@ TEST(ContactInterface, UnusableInputIsRefusedInWords)
   p.initial_penetration = InitialPenetration::remove;
   EXPECT_THROW(ContactInterface<3>("i", p, MPI_COMM_WORLD), ExcMessage);
 }
+
+
+namespace
+{
+  /// Displacements of block 1 by a vector.
+  template <int dim>
+  TrilinosWrappers::MPI::Vector
+  shift(TwoBlocks<dim> &blocks, const Tensor<1, dim> &by)
+  {
+    auto                                 u = blocks.vector();
+    std::vector<types::global_dof_index> dofs(blocks.fe.n_dofs_per_cell());
+    for (const auto &cell : blocks.dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned() && cell->material_id() == 1)
+        {
+          cell->get_dof_indices(dofs);
+          for (unsigned int a = 0; a < dofs.size(); ++a)
+            if (u.in_local_range(dofs[a]))
+              u(dofs[a]) = by[blocks.fe.system_to_component_index(a).first];
+        }
+    u.compress(VectorOperation::insert);
+    return u;
+  }
+} // namespace
+
+
+// Reference: differences of the forces; balance to round-off; the same state
+// after saving and loading. On any number of ranks.
+TEST(ContactInterface, FrictionRemembersAndItsTangentIsExact)
+{
+  for (const double coefficient : {0.05, 10.}) // slips, sticks
+    {
+      TwoBlocks<3>      blocks(0.02, 1, true);
+      ContactParameters p;
+      p.friction.coefficient = coefficient;
+      ContactInterface<3> contact("i", p, MPI_COMM_WORLD);
+      blocks.add_to(contact);
+      contact.update(shift(blocks, Tensor<1, 3>({0.004, 0.002, 0.})), 0.5);
+      EXPECT_GT(contact.report().elastic_slip, 0.);
+      contact.commit(0.5);
+      std::stringstream saved;
+      contact.save(saved);
+      const auto u = shift(blocks, Tensor<1, 3>({0.006, -0.003, -0.002}));
+      EXPECT_LT(contact.check_tangent(u, 1.), 2e-6);
+      EXPECT_LT(contact.check_balance(), 1e-14);
+      contact.update(u, 1.);
+      const ContactReport r = contact.report();
+      EXPECT_EQ(coefficient<1., r.slip_area> 0.9 * r.active_area);
+
+      ContactInterface<3> other("i", p, MPI_COMM_WORLD);
+      blocks.add_to(other);
+      other.load(saved);
+      other.update(u, 1.);
+      EXPECT_LT((other.report().force - r.force).norm(),
+                1e-14 * r.force.norm());
+      EXPECT_NEAR(other.report().dissipation,
+                  r.dissipation,
+                  1e-14 * r.dissipation);
+    }
+}
+
+
+TEST(ContactInterface, TiesHoldAcrossAGapAndAreInBalance)
+{
+  TwoBlocks<3>      blocks(-0.03, 1, true);
+  ContactParameters p;
+  p.kind          = ContactParameters::Kind::tied;
+  p.tie.tolerance = 0.1;
+  ContactInterface<3> contact("i", p, MPI_COMM_WORLD);
+  blocks.add_to(contact, true); // the smaller block is the secondary
+  // a plane facet's area is exact; these are slightly warped
+  EXPECT_NEAR(contact.report().initial.tied_area,
+              contact.report().initial.secondary_area,
+              1e-3);
+  EXPECT_GT(contact.report().initial.largest_tied_gap, 0.02);
+  EXPECT_LT(contact.report().force.norm(), 1e-12);
+  const auto u = shift(blocks, Tensor<1, 3>({0.004, 0.002, 0.01}));
+  EXPECT_LT(contact.check_tangent(u), 1e-6);
+  EXPECT_LT(contact.check_balance(), 1e-14);
+  contact.update(u);
+  EXPECT_LT(contact.report().force[2], 0.); // pulled back, though apart
+
+  // too far away: refused
+  p.tie.tolerance = 1e-3;
+  ContactInterface<3> far("far", p, MPI_COMM_WORLD);
+  EXPECT_THROW(blocks.add_to(far), ExcMessage);
+}
+
+
+TEST(ContactInterface, TiebreakFailsThenIsContact)
+{
+  TwoBlocks<3>      blocks(0.);
+  ContactParameters p;
+  p.kind                  = ContactParameters::Kind::tiebreak;
+  p.tie.strength.law      = TieStrength::Law::strength;
+  p.tie.strength.normal   = 5.;
+  p.tie.strength.shear    = 5.;
+  p.characteristic_length = "0.2";
+  ContactInterface<3> contact("i", p, MPI_COMM_WORLD);
+  blocks.add_to(contact, true);
+  contact.update(lift(blocks, 0.001));
+  contact.commit(0.);
+  EXPECT_EQ(contact.report().failed_tied_area, 0.);
+  const double pull = contact.report().force[2];
+  EXPECT_LT(pull, 0.);
+  contact.update(lift(blocks, 0.03)); // beyond the strength
+  contact.commit(0.);
+  contact.update(lift(blocks, 0.03));
+  EXPECT_EQ(contact.report().force.norm(), 0.);
+  EXPECT_NEAR(contact.report().failed_tied_area, 0.49, 1e-12);
+  // pressed again: ordinary contact
+  contact.update(lift(blocks, -0.02));
+  EXPECT_GT(contact.report().force[2], 0.);
+  EXPECT_GT(contact.report().largest_penetration, 0.019);
+}
+
+
+TEST(ContactInterface, RigidBodiesWithFacetsAndSmoothOnesPressAlike)
+{
+  // a plane above the lower block, 0.02 deep
+  TwoBlocks<3>      blocks(-1.);
+  ContactParameters p;
+  p.characteristic_length = "0.2";
+  const auto modulus      = [](const auto &) { return 1000.; };
+  const auto plane        = std::make_shared<RigidBody<3>>(
+    "plane", std::make_unique<ImplicitObstacle<3>>(plane_shape<3>()));
+  // the plane's outside is up: turn it over
+  plane->prescribed = [](const double t) {
+    RigidMotion<3> m;
+    m.rotation       = rotation_by<3>(Tensor<1, 3>({numbers::PI, 0., 0.}));
+    m.translation[2] = 0.99 - 0.01 * t;
+    return m;
+  };
+  const auto sheet = std::make_shared<RigidBody<3>>(
+    "sheet",
+    std::vector<Tensor<1, 3>>{Tensor<1, 3>({-1., -1., 0.99}),
+                              Tensor<1, 3>({2., -1., 0.99}),
+                              Tensor<1, 3>({2., 2., 0.99}),
+                              Tensor<1, 3>({-1., 2., 0.99})},
+    std::vector<std::vector<unsigned int>>{{0, 3, 2, 1}});
+  sheet->prescribed = [](const double t) {
+    RigidMotion<3> m;
+    m.translation[2] = -0.01 * t;
+    return m;
+  };
+  for (const auto &body : {plane, sheet})
+    {
+      ContactInterface<3> contact("i", p, MPI_COMM_WORLD);
+      contact.add_secondary(
+        blocks.dof_handler, blocks.mapping, boundary_ids({10}), modulus, "a");
+      contact.add_primary(body);
+      contact.setup();
+      contact.update(blocks.vector(), 1.);
+      // p = alpha K (d/l - eps), d = 0.02, l = 0.2; area 1
+      EXPECT_NEAR(contact.report().force[2], -0.1 * 1000. * (0.1 - 0.03), 1e-10)
+        << body->name;
+      for (const auto &part : contact.report().parts)
+        if (part.name == body->name)
+          {
+            EXPECT_NEAR(part.force[2], 7., 1e-10);
+            EXPECT_NEAR(part.moment[0], 3.5, 1e-10);
+          }
+      EXPECT_LT(contact.check_tangent(blocks.vector(), 1.), 1e-7);
+    }
+
+  // a rigid secondary: the deformable primary's stiffness acts
+  p.kind = ContactParameters::Kind::forming_surface_to_surface;
+  ContactInterface<3> turned("i", p, MPI_COMM_WORLD);
+  turned.add_secondary(sheet);
+  turned.add_primary(
+    blocks.dof_handler, blocks.mapping, boundary_ids({10}), modulus, "a");
+  turned.setup();
+  turned.update(blocks.vector(), 1.);
+  EXPECT_NEAR(turned.report().force[2], 7., 1e-10);
+
+  // tool normals: away from the blank is refused, or turned
+  sheet->turn(0);
+  ContactInterface<3> wrong("wrong", p, MPI_COMM_WORLD);
+  wrong.add_secondary(
+    blocks.dof_handler, blocks.mapping, boundary_ids({10}), modulus, "a");
+  sheet->prescribed = [](const double t) {
+    RigidMotion<3> m;
+    m.translation[2] = 0.05 - 0.07 * t;
+    return m;
+  };
+  wrong.add_primary(sheet);
+  EXPECT_THROW(wrong.setup(), ExcMessage);
+  p.tool_normals = ContactParameters::ToolNormals::turn;
+  ContactInterface<3> mended("mended", p, MPI_COMM_WORLD);
+  mended.add_secondary(
+    blocks.dof_handler, blocks.mapping, boundary_ids({10}), modulus, "a");
+  mended.add_primary(sheet);
+  mended.setup();
+  EXPECT_EQ(mended.report().initial.n_turned, 1u);
+  mended.update(blocks.vector(), 1.);
+  EXPECT_LT(mended.report().force[2], -1.);
+}
+
+
+TEST(ContactInterface, SingleSurfaceIsTheSameAsTwoSurfaces)
+{
+  // THEORY T39: two blocks as one surface: each pair once in each direction;
+  // a closed convex body does not see itself
+  TwoBlocks<3>        blocks(0.02, 1, true);
+  ContactParameters   p;
+  ContactInterface<3> two("two", p, MPI_COMM_WORLD);
+  blocks.add_to(two);
+  p.kind = ContactParameters::Kind::automatic_single_surface;
+  ContactInterface<3> one("one", p, MPI_COMM_WORLD);
+  const auto          modulus = [](const auto &cell) {
+    return cell->material_id() == 0 ? 1000. : 3000.;
+  };
+  one.add_secondary(
+    blocks.dof_handler, blocks.mapping, boundary_ids({10}), modulus, "a");
+  one.add_secondary(
+    blocks.dof_handler, blocks.mapping, boundary_ids({20}), modulus, "b");
+  one.setup();
+  two.update(blocks.vector());
+  one.update(blocks.vector());
+  EXPECT_NEAR(one.report().energy,
+              two.report().energy,
+              1e-10 * two.report().energy);
+  EXPECT_EQ(one.report().active_pairs, two.report().active_pairs);
+  EXPECT_NEAR(one.report().parts[0].force[2],
+              two.report().parts[0].force[2],
+              1e-10 * std::abs(two.report().force[2]));
+  EXPECT_LT(one.check_tangent(blocks.vector()), 1e-6);
+
+  // all faces of two convex blocks far apart, as one part
+  TwoBlocks<3>        apart(-1.);
+  ContactInterface<3> alone("alone", p, MPI_COMM_WORLD);
+  alone.add_secondary(
+    apart.dof_handler, apart.mapping, boundary_ids({0, 10, 20}), modulus, "a");
+  alone.setup();
+  EXPECT_EQ(alone.report().initial.n_facets, 0u);
+  EXPECT_EQ(alone.report().initial.n_undetected, 0u);
+  alone.update(apart.vector());
+  EXPECT_EQ(alone.report().active_pairs, 0u);
+}
+
+
+TEST(ContactInterface, AugmentationKeepsThePressureAndTakesThePenetration)
+{
+  TwoBlocks<3>      blocks(0.02);
+  ContactParameters p;
+  p.characteristic_length  = "0.2";
+  p.augmentation.is_on     = true;
+  p.augmentation.tolerance = 1e-4;
+  ContactInterface<3> contact("i", p, MPI_COMM_WORLD);
+  blocks.add_to(contact, true);
+  contact.update(blocks.vector());
+  const double force = contact.report().force[2];
+  EXPECT_TRUE(contact.augment());
+  // half way back: the pressure that was there at 0.02 acts at 0
+  contact.update(lift(blocks, 0.02));
+  EXPECT_NEAR(contact.report().force[2], force, 1e-10 * force);
+  EXPECT_LT(contact.report().largest_penetration, 1e-12);
+  EXPECT_FALSE(contact.augment());
+  EXPECT_LT(contact.check_tangent(lift(blocks, 0.015)), 1e-6);
+  // forgotten on request, kept on commit
+  contact.rollback();
+  contact.update(lift(blocks, 0.02));
+  EXPECT_EQ(contact.report().force[2], 0.);
+}

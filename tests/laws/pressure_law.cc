@@ -9,13 +9,15 @@
 
 using namespace MortarContact;
 
-class EveryLaw : public testing::TestWithParam<std::tuple<std::string, double>>
+class EveryLaw
+  : public testing::TestWithParam<std::tuple<std::string, double, bool>>
 {
 protected:
   std::unique_ptr<PressureLaw> law = make_pressure_law(std::get<0>(GetParam()),
                                                        0.1,
                                                        std::get<1>(GetParam()),
-                                                       0.5);
+                                                       0.5,
+                                                       std::get<2>(GetParam()));
 };
 
 TEST_P(EveryLaw, PressureAndStiffnessAreDerivativesOfTheEnergy)
@@ -64,13 +66,40 @@ TEST_P(EveryLaw, DependsOnUnitsAsAPressureDoes)
   EXPECT_NEAR(mm.stiffness, 1e-9 * m.stiffness, 1e-23 * m.stiffness);
 }
 
+namespace
+{
+  std::vector<std::string>
+  law_names()
+  {
+    std::vector<std::string> names;
+    for (const auto &law : pressure_laws())
+      names.push_back(law.first);
+    return names;
+  }
+} // namespace
+
 INSTANTIATE_TEST_SUITE_P(Library,
                          EveryLaw,
-                         testing::Combine(testing::Values("parabola linear",
-                                                          "parabola",
-                                                          "quartic linear",
-                                                          "linear"),
-                                          testing::Values(1., 10.)));
+                         testing::Combine(testing::ValuesIn(law_names()),
+                                          testing::Values(1., 10.),
+                                          testing::Values(false, true)));
+
+
+// THEORY 1.3: p = alpha eps K (f0 + f0(x_m) s^3/(1 - s)); here d = 0.45 l:
+// x = 15, f0 = 14, s = 0.8, f0(x_m) = 47/3
+TEST(PaperLaw, BarrierLetsNoPressureReachTheLargestPenetration)
+{
+  const auto law = make_pressure_law("parabola linear", 0.1, 1., 0.5, true);
+  EXPECT_NEAR(law->normalised(0.45).pressure,
+              0.1 * 0.03 * (14. + 47. / 3. * 0.512 / 0.2),
+              1e-13);
+  // 1000 K would be 2e4 times the release pressure of the paper's law
+  EXPECT_LT(law->inverse(1.), 0.5);
+  EXPECT_EQ(law->normalised(0.25).pressure,
+            make_pressure_law("parabola linear", 0.1, 1., 0.5)
+              ->normalised(0.25)
+              .pressure);
+}
 
 TEST(PaperLaw, HasTheValuesOfThePaper)
 {

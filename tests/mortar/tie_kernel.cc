@@ -23,7 +23,7 @@ namespace
                       tie.xi,
                       tie.eta);
     // a jump in all directions
-    tie.apart += Tensor<1, 3>({0.02, -0.03, -0.015});
+    tie.apart += Tensor<1, 3>({0.02, -0.03, 0.015});
     return tie;
   }
 
@@ -109,7 +109,7 @@ TEST(TieKernel, TangentOfDamageIsTheDerivativeOfTheForces)
         strength.benzeggagh_kenane = bk;
         TiePoint<3> tie            = tie_of(pair);
         // open and sheared, into softening
-        tie.apart += Tensor<1, 3>({-0.01, 0.02, -0.01});
+        tie.apart += Tensor<1, 3>({-0.01, 0.02, 0.01});
         const TieLaw<3> law(strength);
         const auto      at =
           [&](const Facet<3> &s, const Facet<3> &p, const bool tangent) {

@@ -58,6 +58,14 @@ namespace Test
     return "subsection Contact\n" + section(name, entries) + "end\n";
   }
 
+  /// A rigid body; several need a line of names of their own.
+  inline std::string
+  rigid(const std::string &name, const std::string &entries)
+  {
+    return "subsection Rigid bodies\nset Names = " + name + "\n" +
+           section(name, entries) + "end\n";
+  }
+
   inline std::string
   names(const std::string &bodies,
         const std::string &conditions,

@@ -24,6 +24,7 @@ namespace MortarContact
     double active_area        = 0.; ///< Of it where d > 0.
     double slip_area          = 0.; ///< Of that where friction slips.
     double dissipation        = 0.; ///< By friction, this step [J].
+    double pressure           = 0.; ///< Largest, per undeformed area [Pa].
     double elastic_slip       = 0.; ///< Largest [m].
     double penetration_volume = 0.; ///< Integral of d over the active area.
     /// Largest d and d/l with its position, smallest gap; lengths [m].

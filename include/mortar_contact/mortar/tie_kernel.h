@@ -36,7 +36,7 @@ namespace MortarContact
   /**
    * Add one tie. With the components c_a = E_a . (x_s - x_p) in the basis E_a
    * that turns with the secondary, and the law's tractions T_a of the jump
-   * c - c(0),
+   * c - c(0) (the normal one with the opposite sign: an opening is positive),
    *   f = W T_a dc_a/dx,   K = W (dc_a dT_a/dc_b dc_b + T_a d2c_a/dx2).
    * The components do not change under rigid motion: forces and moments balance
    * to round-off, also across a gap. The tangent is symmetric where dT/dc is.

@@ -95,12 +95,21 @@ namespace MortarContact
     double largest_tie_jump     = 0.; ///< Of ties that hold [m]
     double energy               = 0.; ///< In the contact springs [J]
     double largest_penetration  = 0.; ///< [m]
+    double largest_pressure     = 0.; ///< Per undeformed area [Pa]
     double relative_penetration = 0.; ///< Largest, over the release depth.
     double mean_penetration     = 0.; ///< Over the active area [m]
     double largest_overlap      = 0.; ///< Of the meshes, see PairBlock [m]
     double smallest_gap         = std::numeric_limits<double>::max(); ///< [m]
     Tensor<1, 3> force;  ///< Resultant [N]
     Tensor<1, 3> moment; ///< About the origin [N m]
+
+    /// Contact force on one part, and its moment about the origin.
+    struct Part
+    {
+      std::string  name;
+      Tensor<1, 3> force, moment;
+    };
+    std::vector<Part> parts;
 
     /// The deepest penetrations, one per secondary facet.
     std::vector<DeepPenetration> worst;

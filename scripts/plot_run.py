@@ -1,0 +1,120 @@
+#!/usr/bin/python3
+"""A picture of any finished run: bodies and forces.
+
+Usage: scripts/plot_run.py FOLDER [COLUMN...]
+
+Writes FOLDER/run.png: the deformed bodies of the last step, coloured by von Mises
+stress, and columns of history.csv over time (by default all contact forces and
+reactions that are not zero).
+"""
+import csv
+import os
+import sys
+import xml.etree.ElementTree as xml
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+import vtk
+from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+from vtk.util.numpy_support import vtk_to_numpy
+
+
+def last_files(folder):
+    """Files of the last time of solution.pvd."""
+    by_time = {}
+    for entry in xml.parse(os.path.join(folder, "solution.pvd")).iter("DataSet"):
+        time = float(entry.get("timestep"))
+        by_time.setdefault(time, []).append(os.path.join(folder, entry.get("file")))
+    return by_time[max(by_time)]
+
+
+def surface_of(file):
+    """Polygons (points moved by the displacement) and a stress for each."""
+    reader = vtk.vtkXMLUnstructuredGridReader()
+    reader.SetFileName(file)
+    reader.Update()
+    warp = vtk.vtkWarpVector()
+    reader.GetOutput().GetPointData().SetActiveVectors("displacement")
+    warp.SetInputData(reader.GetOutput())
+    surface = vtk.vtkDataSetSurfaceFilter()
+    surface.SetInputConnection(warp.GetOutputPort())
+    surface.Update()
+    mesh = surface.GetOutput()
+    points = vtk_to_numpy(mesh.GetPoints().GetData())
+    data = mesh.GetPointData().GetArray("von_Mises")
+    on_cells = data is None
+    if on_cells:
+        data = mesh.GetCellData().GetArray("von_Mises")
+    stress = vtk_to_numpy(data)
+    polygons, values = [], []
+    for c in range(mesh.GetNumberOfCells()):
+        ids = mesh.GetCell(c).GetPointIds()
+        ids = [ids.GetId(k) for k in range(ids.GetNumberOfIds())]
+        polygons.append(points[ids])
+        values.append(stress[c] if on_cells else stress[ids].mean())
+    return polygons, values
+
+
+def main():
+    folder = sys.argv[1]
+    polygons, values = [], []
+    for file in last_files(folder):
+        p, v = surface_of(file)
+        polygons += p
+        values += v
+    values = np.array(values)
+    everything = np.concatenate(polygons)
+    plane = np.ptp(everything[:, 2]) == 0.0
+
+    figure = plt.figure(figsize=(13, 5.5))
+    scale = plt.Normalize(0.0, np.percentile(values, 99.5))
+    colors = plt.cm.viridis(scale(values))
+    if plane:
+        axis = figure.add_subplot(1, 2, 1)
+        axis.add_collection(
+            matplotlib.collections.PolyCollection(
+                [p[:, :2] for p in polygons],
+                facecolors=colors,
+                edgecolors="k",
+                linewidths=0.1,
+            )
+        )
+        axis.autoscale()
+        axis.set_aspect("equal")
+    else:
+        axis = figure.add_subplot(1, 2, 1, projection="3d")
+        axis.add_collection3d(
+            Poly3DCollection(polygons, facecolors=colors, edgecolors="k", linewidths=0.1)
+        )
+        low, high = everything.min(axis=0), everything.max(axis=0)
+        axis.set_xlim(low[0], high[0])
+        axis.set_ylim(low[1], high[1])
+        axis.set_zlim(low[2], high[2])
+        axis.set_box_aspect(high - low)
+    figure.colorbar(
+        plt.cm.ScalarMappable(norm=scale, cmap="viridis"), ax=axis, label="von Mises"
+    )
+
+    with open(os.path.join(folder, "history.csv"), newline="") as file:
+        rows = list(csv.DictReader(file))
+    time = [float(row["time"]) for row in rows]
+    columns = sys.argv[2:] or [
+        key
+        for key in rows[0]
+        if ("force_" in key or key.startswith("reaction:"))
+        and max(abs(float(row[key])) for row in rows) > 0.0
+    ]
+    axis = figure.add_subplot(1, 2, 2)
+    for column in columns:
+        axis.plot(time, [float(row[column]) for row in rows], ".-", label=column)
+    axis.set_xlabel("time")
+    axis.legend(fontsize=7)
+    figure.tight_layout()
+    figure.savefig(os.path.join(folder, "run.png"), dpi=110)
+
+
+if __name__ == "__main__":
+    main()
