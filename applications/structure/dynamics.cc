@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "dynamics.h"
 
+#include <deal.II/base/exceptions.h>
 #include <deal.II/base/patterns.h>
 
 namespace Structure
@@ -40,6 +41,9 @@ namespace Structure
     spectral_radius   = prm.get_double("Spectral radius");
     mass_damping      = prm.get_double("Mass damping");
     stiffness_damping = prm.get_double("Stiffness damping");
+    AssertThrow(is_on || (mass_damping == 0. && stiffness_damping == 0.),
+                ExcMessage("'Mass damping' or 'Stiffness damping' is set but "
+                           "'Type' is 'static'. Remove one of them."));
   }
 
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 
 namespace Structure
@@ -51,7 +52,7 @@ namespace Structure
       }
 
     owned.clear();
-    owned.set_size(total_dofs);
+    owned.set_size(total_dofs + rigid_dofs.size() * RigidDofs<dim>::n);
     std::vector<std::vector<types::global_dof_index>> firsts(bodies.size()),
       targets(bodies.size());
     std::vector<types::global_dof_index> next(bodies.size(), 0);
@@ -66,6 +67,14 @@ namespace Structure
             next[b] += counts[b][r];
             target += counts[b][r];
           }
+        // the last rank keeps the rigid bodies
+        if (r + 1 == n_ranks)
+          for (RigidDofs<dim> &rigid : rigid_dofs)
+            {
+              rigid.set_first(target);
+              target += RigidDofs<dim>::n;
+              total_dofs += RigidDofs<dim>::n;
+            }
         if (r == rank)
           owned.add_range(begin, target);
       }
@@ -161,12 +170,23 @@ namespace Structure
       is_symmetric = is_symmetric && interface->parameters.symmetric_tangent;
 
     // Step 3: vectors, and the size of the scene.
-    rhs      = make_vector();
-    internal = make_vector();
-    external = make_vector();
-    contact  = make_vector();
-    inertia  = make_vector();
-    momenta  = make_vector();
+    rhs                = make_vector();
+    internal           = make_vector();
+    external           = make_vector();
+    contact            = make_vector();
+    inertia            = make_vector();
+    momenta            = make_vector();
+    size               = box_diagonal();
+    pattern_is_current = false;
+    if (is_dynamic())
+      start_motion();
+  }
+
+
+  template <int dim>
+  double
+  Model<dim>::box_diagonal() const
+  {
     Point<dim> low, high;
     bool       first = true;
     for (const auto &b : bodies)
@@ -179,10 +199,7 @@ namespace Structure
             }
           first = false;
         }
-    size               = low.distance(high);
-    pattern_is_current = false;
-    if (is_dynamic())
-      start_motion();
+    return low.distance(high);
   }
 
 
@@ -236,6 +253,9 @@ namespace Structure
     constraints.merge(hanging, AffineConstraints<double>::left_object_wins);
     std::vector<types::global_dof_index> prescribed;
     node_conditions->add_dofs(prescribed);
+    for (const RigidDofs<dim> &rigid : rigid_dofs)
+      for (unsigned int i = 0; i < RigidDofs<dim>::n; ++i)
+        prescribed.push_back(rigid.first() + i);
     std::sort(prescribed.begin(), prescribed.end());
     prescribed.erase(std::unique(prescribed.begin(), prescribed.end()),
                      prescribed.end());
@@ -252,6 +272,19 @@ namespace Structure
       },
       time,
       constraints);
+    for (RigidDofs<dim> &rigid : rigid_dofs)
+      for (unsigned int i = 0; i < RigidDofs<dim>::n; ++i)
+        if (!rigid.is_free(i))
+          {
+            const auto dof = rigid.first() + i;
+            constraints.add_line(dof);
+            constraints.set_inhomogeneity(
+              dof,
+              rigid.prescribed(i, time) -
+                values[std::lower_bound(
+                         prescribed.begin(), prescribed.end(), dof) -
+                       prescribed.begin()]);
+          }
     norms.to_prescribe = 0.;
     for (const auto &line : constraints.get_lines())
       norms.to_prescribe =
@@ -279,6 +312,13 @@ namespace Structure
               constraints.add_entries_local_to_global(dofs, dsp, false);
             }
       }
+    for (const RigidDofs<dim> &rigid : rigid_dofs)
+      if (owned.is_element(rigid.first()))
+        {
+          dofs.resize(RigidDofs<dim>::n);
+          std::iota(dofs.begin(), dofs.end(), rigid.first());
+          constraints.add_entries_local_to_global(dofs, dsp, false);
+        }
     for (const auto &interface : interfaces)
       interface->add_couplings(dsp, constraints);
     SparsityTools::distribute_sparsity_pattern(dsp,
@@ -546,6 +586,29 @@ namespace Structure
          Utilities::MPI::all_gather(communicator, failure))
       if (!f.empty())
         failure = f;
+
+    for (RigidDofs<dim> &rigid : rigid_dofs)
+      if (owned.is_element(rigid.first()))
+        {
+          constexpr unsigned int               n = RigidDofs<dim>::n;
+          Vector<double>                       load(n);
+          std::vector<types::global_dof_index> dofs(n);
+          std::iota(dofs.begin(), dofs.end(), rigid.first());
+          for (unsigned int i = 0; i < n; ++i)
+            load(i) = rigid.load(i, time);
+          none.distribute_local_to_global(load, dofs, external);
+          if (with_tangent)
+            {
+              // motions that are not free need entries on the diagonal
+              FullMatrix<double> diagonal(n, n);
+              for (unsigned int i = 0; i < n; ++i)
+                diagonal(i, i) = rigid.is_free(i) ? 0. : 1.;
+              constraints.distribute_local_to_global(
+                diagonal, load, dofs, matrix, rhs);
+            }
+          else
+            constraints.distribute_local_to_global(load, dofs, rhs);
+        }
 
     // Step 3: contact.
     {

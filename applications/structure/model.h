@@ -5,6 +5,7 @@
 #include "dynamics.h"
 #include "element.h"
 #include "loads.h"
+#include "rigid_dofs.h"
 
 #include <mortar_contact/mortar_contact.h>
 
@@ -47,6 +48,13 @@ namespace Structure
     std::vector<BoundaryCondition>          conditions;
     std::vector<std::unique_ptr<MortarContact::ContactInterface<dim>>>
       interfaces;
+
+    /// Rigid bodies with free motions; before number_dofs().
+    std::vector<RigidDofs<dim>> rigid_dofs;
+
+    /// Diagonal of the box around all bodies [m].
+    double
+    box_diagonal() const;
 
     /// Number the dofs; after the bodies are there, before the interfaces.
     void

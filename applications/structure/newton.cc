@@ -13,10 +13,6 @@ namespace Structure
     /// Forces below this times (stiffness x area of the scene) are none.
     constexpr double force_floor = 1e-12;
 
-    /// Forces below this times (stiffness x size^(dim-2) x displacement) are
-    /// none: what is left of large internal forces that cancel in rigid motion.
-    constexpr double cancellation = 1e-8;
-
     /// Motions below this times the size of the scene are none.
     constexpr double motion_floor = 1e-12;
 
@@ -29,6 +25,10 @@ namespace Structure
     /// the second number.
     constexpr double update_round_off   = 1e-11;
     constexpr double residual_round_off = 1e-6;
+
+    /// So it is where forces are below this times (stiffness x area of the
+    /// scene): stresses of bodies that move without strain.
+    constexpr double stress_round_off = 1e-13;
 
     /// A residual this much below the tolerance needs no second witness.
     constexpr double surely_converged = 1e-3;
@@ -104,13 +104,7 @@ namespace Structure
         // Step 1: converged?
         const ForceNorms &n = model.norms;
         const double      scale =
-          std::max({n.internal,
-                    n.external,
-                    n.contact,
-                    n.inertia,
-                    floor,
-                    cancellation * modulus * std::pow(model.size, dim - 2.) *
-                      u.linfty_norm()});
+          std::max({n.internal, n.external, n.contact, n.inertia, floor});
         iterate.residual     = n.residual / scale;
         const bool at_target = n.to_prescribe <= motion_floor * model.size;
         watch(iterate);
@@ -125,8 +119,9 @@ namespace Structure
               iterate.update <= parameters.displacement_tolerance) ||
              iterate.residual <=
                surely_converged * parameters.force_tolerance ||
-             (iterate.residual <= residual_round_off &&
-              iterate.update <= update_round_off)))
+             (iterate.update <= update_round_off &&
+              (iterate.residual <= residual_round_off ||
+               n.residual <= stress_round_off / force_floor * floor))))
           {
             result.converged = true;
             return result;

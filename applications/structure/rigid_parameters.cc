@@ -9,14 +9,16 @@
 #include <deal.II/base/patterns.h>
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
+
 namespace Structure
 {
   using namespace MortarContact;
 
   namespace
   {
-    /// Formulas of unknown scale are differentiated over this length.
-    constexpr double formula_step = 1e-3;
+    /// Formulas are differentiated over this share of the scene.
+    constexpr double formula_step = 1e-4;
 
     std::vector<double>
     numbers_in(ParameterHandler &prm, const std::string &entry)
@@ -149,6 +151,27 @@ namespace Structure
       list,
       "Moments are taken about it, too; it moves with the body; "
       "empty: Position [length].");
+    prm.declare_entry(
+      "Free motions",
+      "",
+      Patterns::List(Patterns::Selection("x|y|z|rotation x|rotation y|rotation "
+                                         "z|rotation"),
+                     0,
+                     6),
+      "Motions that forces decide, and contact: x, y, z, rotation x, rotation "
+      "y, rotation z (2d: x, y, rotation). The others follow the formulas "
+      "above.");
+    for (const char *component : {"x", "y", "z"})
+      {
+        prm.declare_entry(std::string("Force ") + component,
+                          "0",
+                          Patterns::Anything(),
+                          "On a free motion, a formula in t [force].");
+        prm.declare_entry(std::string("Moment ") + component,
+                          "0",
+                          Patterns::Anything(),
+                          "On a free rotation, a formula in t [force length].");
+      }
   }
 
 
@@ -172,6 +195,26 @@ namespace Structure
     rotation_axis = numbers_in(prm, "Rotation axis");
     rotation_angle  = prm.get("Rotation angle");
     rotation_centre = numbers_in(prm, "Rotation centre");
+    free_motions    = Utilities::split_string_list(prm.get("Free motions"));
+    for (unsigned int i = 0; i < 3; ++i)
+      {
+        const std::string component(1, "xyz"[i]);
+        force[i]           = prm.get("Force " + component);
+        moment[i]          = prm.get("Moment " + component);
+        const auto is_free = [&](const std::string &motion) {
+          return std::find(free_motions.begin(), free_motions.end(), motion) !=
+                 free_motions.end();
+        };
+        AssertThrow(force[i] == "0" || is_free(component),
+                    ExcMessage("'Force " + component +
+                               "' is set but 'Free motions' has no '" +
+                               component + "'."));
+        AssertThrow(moment[i] == "0" || is_free("rotation " + component) ||
+                      (i == 2 && is_free("rotation")),
+                    ExcMessage("'Moment " + component +
+                               "' is set but 'Free motions' has no 'rotation " +
+                               component + "'."));
+      }
     AssertThrow((type == "formula") != formula.empty(),
                 ExcMessage(
                   "'Type' is '" + type + "' and 'Formula' is '" + formula +
@@ -203,7 +246,7 @@ namespace Structure
 
   template <int dim>
   std::shared_ptr<RigidBody<dim>>
-  RigidParameters::make() const
+  RigidParameters::make(const double scene_length) const
   {
     // Step 1: the shape.
     std::shared_ptr<RigidBody<dim>> body;
@@ -246,7 +289,7 @@ namespace Structure
         else if (type == "ellipsoid")
           shape = ellipsoid_shape<dim>(vector_of<dim>(sizes, "Sizes"));
         else if (type == "formula")
-          shape = formula_shape<dim>(formula, formula_step * scale);
+          shape = formula_shape<dim>(formula, formula_step * scene_length);
         else if constexpr (dim == 3)
           {
             if (type == "cylinder")
@@ -268,11 +311,8 @@ namespace Structure
 
     // Step 2: the motion, x = C + u + R (P + R_0 X - C).
     const Tensor<1, dim> P = vector_of<dim>(position, "Position");
-    const Tensor<1, dim> C =
-      rotation_centre.empty() ?
-        P :
-        vector_of<dim>(rotation_centre, "Rotation centre");
-    Tensor<1, dim> last;
+    const Tensor<1, dim> C = turning_point<dim>();
+    Tensor<1, dim>       last;
     last[dim - 1] = 1.;
     const Tensor<1, dim> direction =
       axis.empty() ? last : vector_of<dim>(axis, "Axis");
@@ -313,6 +353,16 @@ namespace Structure
 
 
   template <int dim>
+  Tensor<1, dim>
+  RigidParameters::turning_point() const
+  {
+    return rotation_centre.empty() ?
+             vector_of<dim>(position, "Position") :
+             vector_of<dim>(rotation_centre, "Rotation centre");
+  }
+
+
+  template <int dim>
   Tensor<1, 3>
   RigidParameters::shift(const double time) const
   {
@@ -323,12 +373,16 @@ namespace Structure
   }
 
 
+  template Tensor<1, 2>
+  RigidParameters::turning_point<2>() const;
+  template Tensor<1, 3>
+  RigidParameters::turning_point<3>() const;
   template Tensor<1, 3>
   RigidParameters::shift<2>(const double) const;
   template Tensor<1, 3>
   RigidParameters::shift<3>(const double) const;
   template std::shared_ptr<RigidBody<2>>
-  RigidParameters::make<2>() const;
+  RigidParameters::make<2>(const double) const;
   template std::shared_ptr<RigidBody<3>>
-  RigidParameters::make<3>() const;
+  RigidParameters::make<3>(const double) const;
 } // namespace Structure

@@ -24,10 +24,12 @@ namespace Structure
     void
     read(ParameterHandler &prm);
 
+    /// @param scene_length Size of the scene; formulas are differentiated over
+    /// a small part of it [m].
     /// @throw ExcMessage on settings that make no body.
     template <int dim>
     std::shared_ptr<MortarContact::RigidBody<dim>>
-    make() const;
+    make(const double scene_length) const;
 
     /// Translation at a time.
     template <int dim>
@@ -47,6 +49,14 @@ namespace Structure
     std::array<std::string, 3> translation = {{"0", "0", "0"}};
     std::vector<double>        rotation_axis, rotation_centre;
     std::string                rotation_angle = "0"; ///< [rad]
+    /// Motions that forces decide: "x", "y", "z", "rotation x", ...
+    std::vector<std::string>   free_motions;
+    std::array<std::string, 3> force = {{"0", "0", "0"}}, moment = force;
+
+    /// Point that the body turns about, at the start.
+    template <int dim>
+    Tensor<1, dim>
+    turning_point() const;
   };
 } // namespace Structure
 

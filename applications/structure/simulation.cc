@@ -130,11 +130,20 @@ namespace Structure
       }
     model.conditions  = scene.conditions;
     model.integration = TimeIntegration(scene.dynamics);
-    model.number_dofs();
     for (const RigidParameters &r : scene.rigid_bodies)
       try
         {
-          rigid_bodies.push_back(r.make<dim>());
+          rigid_bodies.push_back(r.make<dim>(model.box_diagonal()));
+          if (!r.free_motions.empty())
+            {
+              AssertThrow(!scene.dynamics.is_on,
+                          ExcMessage("'Free motions' are set but "
+                                     "'Dynamics/Type' is 'dynamic'; free rigid "
+                                     "bodies have no mass yet."));
+              model.rigid_dofs.emplace_back(rigid_bodies.back(),
+                                            r,
+                                            model.box_diagonal());
+            }
         }
       catch (const ExcMessage &e)
         {
@@ -144,6 +153,8 @@ namespace Structure
                       ExcMessage("In section 'Rigid bodies/" + r.name +
                                  "': " + Utilities::trim(info.str())));
         }
+
+    model.number_dofs();
 
     for (const InterfaceParameters &i : scene.interfaces)
       {
@@ -278,13 +289,14 @@ namespace Structure
     for (const auto &r : scene.rigid_bodies)
       if (r.name == body.name)
         p = &r;
-    const auto &centre =
-      p->rotation_centre.empty() ? p->position : p->rotation_centre;
+    const Tensor<1, dim> at =
+      body.has_dofs() ? body.turning_point() : p->template turning_point<dim>();
     Tensor<1, 3> c;
-    for (unsigned int i = 0; i < dim && i < centre.size(); ++i)
-      c[i] = centre[i];
-    const Tensor<1, 3> u = p->template shift<dim>(time);
-    sum.second -= cross_product_3d(c + u, sum.first);
+    for (unsigned int i = 0; i < dim; ++i)
+      c[i] = at[i];
+    if (!body.has_dofs())
+      c += p->template shift<dim>(time);
+    sum.second -= cross_product_3d(c, sum.first);
     return sum;
   }
 
@@ -398,7 +410,8 @@ namespace Structure
                   "No convergence: the step fell below 'Smallest step', " +
                   number(s.smallest) + ". Last good state: time " +
                   number(time) + ".");
-                // contact shows the last good state again
+                // contact shows the last good state again; reactions are static
+                model.integration.dt = 0.;
                 (void)model.assemble(u, time, false);
                 write_checkpoint();
                 write_summary("no convergence");
@@ -518,6 +531,10 @@ namespace Structure
         for (unsigned int i = (dim == 2 ? 2 : 0); i < 3; ++i)
           row.emplace_back("rigid:" + body->name + "_moment_" + "xyz"[i],
                            moment[i]);
+        if (body->has_dofs())
+          for (unsigned int i = 0; i < dim; ++i)
+            row.emplace_back("rigid:" + body->name + "_motion_" + "xyz"[i],
+                             body -> displacement_of_centre()[i]);
       }
     if (model.is_dynamic())
       {

@@ -51,6 +51,9 @@ namespace MortarContact
       if (has_vertex(sweep, s, p, a))
         for (const auto &entry : vertex_of(sweep, s, p, a).row)
           result.insert(result.end(), entry.dofs.begin(), entry.dofs.end());
+    for (const unsigned int role : {0u, 1u})
+      if (const auto *body = body_with_dofs(sweep, role, role == 0 ? s : p))
+        result.insert(result.end(), body->dofs().begin(), body->dofs().end());
     std::sort(result.begin(), result.end());
     result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
@@ -93,6 +96,50 @@ namespace MortarContact
                                          pair_dofs.begin()),
                entry.weight});
 
+    for (const unsigned int role : {0u, 1u})
+      if (const auto *body = body_with_dofs(
+            sweep, role, role == 0 ? pair.secondary : pair.primary))
+        {
+          const auto dof_of = [&](const unsigned int i) {
+            return static_cast<unsigned int>(std::lower_bound(pair_dofs.begin(),
+                                                              pair_dofs.end(),
+                                                              body->dofs()[i]) -
+                                             pair_dofs.begin());
+          };
+          constexpr unsigned int P = max_pair_components<dim>;
+          for (unsigned int i = 0; i < dim; ++i)
+            terms.push_back({P + i, dof_of(i), 1.});
+          const auto T = body->spin_by_dofs();
+          for (unsigned int k = 0; k < T.size(); ++k)
+            for (unsigned int j = 0; j < T.size(); ++j)
+              terms.push_back({P + dim + k, dof_of(dim + j), T[k][j]});
+          std::vector<double> residual;
+          FullMatrix<double>  K;
+          rigid_pair(sweep, pair, role, *body, residual, K);
+          for (const Term &row : terms)
+            {
+              forces(row.dof) -= row.weight * residual[row.component];
+              if (with_tangent)
+                for (const Term &column : terms)
+                  tangent(row.dof, column.dof) +=
+                    row.weight * column.weight *
+                    K(row.component, column.component);
+            }
+          if constexpr (dim == 3)
+            if (with_tangent)
+              {
+                // the spin changes with the rotation: T = I + [theta x]/2 + ..
+                const double l2 = T[0][0] * T[0][0];
+                for (unsigned int i = 0; i < 3; ++i)
+                  for (unsigned int j = 0; j < 3; ++j)
+                    if (i != j)
+                      tangent(dof_of(dim + i), dof_of(dim + j)) +=
+                        0.5 * l2 * ((j == (i + 1) % 3) ? -1. : 1.) *
+                        residual[P + dim + 3 - i - j];
+              }
+          return;
+        }
+
     for (const Term &row : terms)
       {
         forces(row.dof) -= row.weight * pair.block.residual[row.component];
@@ -106,9 +153,129 @@ namespace MortarContact
 
 
   template <int dim>
+  const RigidBody<dim> *
+  ContactInterface<dim>::body_with_dofs(const unsigned int sweep,
+                                        const unsigned int role,
+                                        const unsigned int facet) const
+  {
+    const RigidBody<dim> *body = nullptr;
+    if (role == 1 && obstacle)
+      body = obstacle.get();
+    else
+      {
+        const ContactSurface<dim> &surface = surfaces[side_of(sweep, role)];
+        const SurfaceVertex<dim>  &vertex  = surface.vertex(facet, 0);
+        if (vertex.row.empty())
+          body = surface.rigid_bodies[vertex.rigid_body].get();
+      }
+    return (body != nullptr && body->has_dofs()) ? body : nullptr;
+  }
+
+
+  template <int dim>
+  void
+  ContactInterface<dim>::rigid_pair(
+    const unsigned int                            sweep,
+    const typename ContactSweep<dim>::ActivePair &pair,
+    const unsigned int                            role,
+    const RigidBody<dim>                         &body,
+    std::vector<double>                          &residual,
+    FullMatrix<double>                           &K) const
+  {
+    // The pair does not notice when both sides move rigidly together. So the
+    // forces r on the other side change by a motion (u, w) of the body as by
+    // the opposite motion of that side, and turn with w:
+    //   dr_a = w x r_a - K_ab (u + w x (x_b - c)),
+    // and the body gets -sum r_a and -sum (x_a - c) x r_a.
+    constexpr unsigned int P     = max_pair_components<dim>;
+    constexpr unsigned int n_w   = RigidBody<dim>::n_rotations;
+    const unsigned int     other = 1 - role;
+    const unsigned int     first = other * max_facet_components<dim>;
+    const auto            &skin  = surfaces[side_of(sweep, other)].skin;
+    const Facet<dim>      &facet =
+      skin.facets[other == 0 ? pair.secondary : pair.primary].current;
+    const unsigned int    n     = facet.n_vertices;
+    const Tensor<1, 3>    c     = in_space(body.turning_point());
+    const PairBlock<dim> &block = pair.block;
+
+    std::vector<Tensor<1, 3>> r(n), arm(n);
+    for (unsigned int a = 0; a < n; ++a)
+      {
+        arm[a] = in_space(facet.x[a]) - c;
+        for (unsigned int i = 0; i < dim; ++i)
+          r[a][i] = block.residual[first + a * dim + i];
+      }
+    std::array<Tensor<1, 3>, n_w> axes;
+    for (unsigned int k = 0; k < n_w; ++k)
+      axes[k][3 - n_w + k] = 1.;
+
+    residual.assign(P + dim + n_w, 0.);
+    K.reinit(P + dim + n_w, P + dim + n_w);
+    // rows of the other side
+    for (unsigned int a = 0; a < n; ++a)
+      for (unsigned int i = 0; i < dim; ++i)
+        {
+          const unsigned int row = first + a * dim + i;
+          residual[row]          = block.residual[row];
+          for (unsigned int b = 0; b < n; ++b)
+            for (unsigned int j = 0; j < dim; ++j)
+              {
+                const double k = block.tangent[row][first + b * dim + j];
+                K(row, first + b * dim + j) = k;
+                K(row, P + j) -= k;
+                for (unsigned int w = 0; w < n_w; ++w)
+                  K(row, P + dim + w) -=
+                    k * cross_product_3d(axes[w], arm[b])[j];
+              }
+          for (unsigned int w = 0; w < n_w; ++w)
+            K(row, P + dim + w) += cross_product_3d(axes[w], r[a])[i];
+        }
+    // rows of the body
+    const auto add_rows = [&](const unsigned int column) {
+      for (unsigned int a = 0; a < n; ++a)
+        {
+          Tensor<1, 3> dr;
+          for (unsigned int i = 0; i < dim; ++i)
+            dr[i] = K(first + a * dim + i, column);
+          const Tensor<1, 3> moment = cross_product_3d(arm[a], dr);
+          for (unsigned int i = 0; i < dim; ++i)
+            K(P + i, column) -= dr[i];
+          for (unsigned int w = 0; w < n_w; ++w)
+            K(P + dim + w, column) -= axes[w] * moment;
+        }
+    };
+    for (unsigned int a = 0; a < n; ++a)
+      {
+        const Tensor<1, 3> moment = cross_product_3d(arm[a], r[a]);
+        for (unsigned int i = 0; i < dim; ++i)
+          residual[P + i] -= r[a][i];
+        for (unsigned int w = 0; w < n_w; ++w)
+          residual[P + dim + w] -= axes[w] * moment;
+        for (unsigned int j = 0; j < dim; ++j)
+          {
+            Tensor<1, 3> e;
+            e[j]                      = 1.;
+            const Tensor<1, 3> by_arm = cross_product_3d(e, r[a]);
+            for (unsigned int w = 0; w < n_w; ++w)
+              {
+                K(P + dim + w, first + a * dim + j) -= axes[w] * by_arm;
+                K(P + dim + w, P + j) += axes[w] * by_arm;
+              }
+          }
+      }
+    for (unsigned int b = 0; b < n * dim; ++b)
+      add_rows(first + b);
+    for (unsigned int j = 0; j < dim + n_w; ++j)
+      add_rows(P + j);
+  }
+
+
+  template <int dim>
   double
   ContactInterface<dim>::check_balance() const
   {
+    if (obstacle)
+      return 0.; // there is no other side to balance
     std::vector<double> sums(8, 0.);
     for_each_pair([&](const unsigned int i, const auto &pair) {
       for_each_force<dim>(surfaces[side_of(i, 0)].skin,
@@ -156,6 +323,7 @@ namespace MortarContact
     const auto evaluate_at = [&](const std::vector<double> &at,
                                  const bool                 with_tangent) {
       values = at;
+      place_rigid_bodies(time);
       for (auto &surface : surfaces)
         surface.move([&](const auto dof) { return value(dof); });
       for (const auto &sweep : sweeps)

@@ -137,73 +137,11 @@ namespace MortarContact
 
   template <int dim>
   void
-  ContactInterface<dim>::add_rigid(const unsigned int                     side,
-                                   const std::shared_ptr<RigidBody<dim>> &body)
-  {
-    begin_adding();
-    rigid_bodies.push_back(body);
-    if (body->surface)
-      {
-        AssertThrow(side == 1,
-                    ExcMessage("Interface '" + name + "': the rigid body '" +
-                               body->name +
-                               "' has a smooth surface without facets and can "
-                               "be primary only."));
-        AssertThrow(!obstacle,
-                    ExcMessage("Interface '" + name + "': '" + obstacle->name +
-                               "' and '" + body->name +
-                               "' are both primary; a rigid body with a smooth "
-                               "surface must be the only primary. Expected one "
-                               "interface for each."));
-        obstacle = body;
-        return;
-      }
-    // each rank brings its share
-    const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator);
-    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
-    auto              &all     = surfaces[side].rigid_bodies;
-    all.push_back(body);
-    for (unsigned int f = 0; f < body->facets.size(); ++f)
-      if (f * n_ranks / body->facets.size() == rank)
-        {
-          SurfaceFacet<dim> facet;
-          facet.n_vertices = body->facets[f].size();
-          facet.label      = {body->name, f};
-          for (unsigned int a = 0; a < facet.n_vertices; ++a)
-            {
-              const unsigned int v           = body->facets[f][a];
-              facet.vertices[a].reference    = body->vertices[v];
-              facet.vertices[a].rigid_body   = all.size() - 1;
-              facet.vertices[a].rigid_vertex = n_rigid_vertices + v;
-            }
-          extracted[side].push_back(facet);
-        }
-    n_rigid_vertices += body->vertices.size();
-  }
-
-
-  template <int dim>
-  void
-  ContactInterface<dim>::add_secondary(
-    const std::shared_ptr<RigidBody<dim>> &body)
-  {
-    add_rigid(0, body);
-  }
-
-
-  template <int dim>
-  void
-  ContactInterface<dim>::add_primary(
-    const std::shared_ptr<RigidBody<dim>> &body)
-  {
-    add_rigid(1, body);
-  }
-
-
-  template <int dim>
-  void
   ContactInterface<dim>::set_friction_law(std::unique_ptr<FrictionLaw> own)
   {
+    AssertThrow(!is_set_up,
+                ExcMessage("Interface '" + name +
+                           "': set_friction_law() comes before setup()."));
     AssertThrow(parameters.kind != ContactParameters::Kind::tied,
                 ExcMessage("Interface '" + name +
                            "': a tied interface cannot slip."));
@@ -251,102 +189,6 @@ namespace MortarContact
 
 
   template <int dim>
-  void
-  ContactInterface<dim>::check_tool_normals()
-  {
-    // Angles this close to tangential say nothing, as a cosine.
-    constexpr double          judged  = 0.3;
-    InitialReport            &initial = last_report.initial;
-    ContactSurface<dim>      &tool    = surfaces[1];
-    std::vector<unsigned int> wrong;
-    for (unsigned int p = 0; p < tool.skin.facets.size(); ++p)
-      {
-        if (!tool.vertex(p, 0).row.empty())
-          continue; // faces of solids point outwards
-        const Facet<dim>    &facet = tool.skin.facets[p].current;
-        const Tensor<1, dim> c     = centre(facet);
-        Tensor<1, dim>       to_blank;
-        double               nearest = std::numeric_limits<double>::max();
-        for (const auto &s : surfaces[0].skin.facets)
-          {
-            const Tensor<1, dim> r = centre(s.current) - c;
-            if (r.norm_square() < nearest)
-              {
-                nearest  = r.norm_square();
-                to_blank = r;
-              }
-          }
-        const Tensor<1, dim> w = centre_normal(facet);
-        if (w * to_blank < -judged * w.norm() * to_blank.norm())
-          wrong.push_back(p);
-      }
-    if (wrong.empty())
-      return;
-
-    // A closed body whose normals point outwards is right, also where its far
-    // side points away from the blank.
-    std::map<unsigned int, double> volume;
-    for (unsigned int p = 0; p < tool.skin.facets.size(); ++p)
-      if (tool.vertex(p, 0).row.empty())
-        volume[tool.vertex(p, 0).rigid_body] += 0.;
-    std::map<unsigned int, std::map<std::set<unsigned int>, int>> ridges;
-    for (unsigned int p = 0; p < tool.skin.facets.size(); ++p)
-      if (tool.vertex(p, 0).row.empty())
-        {
-          const unsigned int n = tool.skin.facets[p].current.n_vertices;
-          for (unsigned int a = 0; a < n; ++a)
-            {
-              std::set<unsigned int> ridge = {tool.skin.vertices[p][a]};
-              if (dim == 3)
-                ridge.insert(tool.skin.vertices[p][(a + 1) % n]);
-              ++ridges[tool.vertex(p, 0).rigid_body][ridge];
-            }
-          volume[tool.vertex(p, 0).rigid_body] +=
-            centre(tool.skin.facets[p].current) *
-            centre_normal(tool.skin.facets[p].current);
-        }
-    std::set<unsigned int> fine;
-    for (const auto &[body, of_body] : ridges)
-      if (volume[body] > 0. &&
-          std::all_of(of_body.begin(), of_body.end(), [](const auto &r) {
-            return r.second == 2;
-          }))
-        fine.insert(body);
-    wrong.erase(std::remove_if(wrong.begin(),
-                               wrong.end(),
-                               [&](const unsigned int p) {
-                                 return fine.count(
-                                          tool.vertex(p, 0).rigid_body) > 0;
-                               }),
-                wrong.end());
-    if (wrong.empty())
-      return;
-
-    if (parameters.tool_normals == ContactParameters::ToolNormals::check)
-      {
-        std::ostringstream message;
-        message
-          << "Interface '" << name << "': the normals of " << wrong.size()
-          << " facets of the tool do not point to the blank, the first is "
-          << "facet " << tool.labels[wrong[0]].cell << " of '"
-          << tool.labels[wrong[0]].part << "' at ("
-          << centre(tool.skin.facets[wrong[0]].current)
-          << "). Turn them in the mesh, or set 'Tool normals' to 'turn'.";
-        AssertThrow(false, ExcMessage(message.str()));
-      }
-    initial.n_turned = wrong.size();
-    for (auto &facet : extracted[1])
-      for (const unsigned int p : wrong)
-        if (facet.vertices[0].row.empty() &&
-            facet.label.part == tool.labels[p].part &&
-            facet.label.cell == tool.labels[p].cell)
-          std::reverse(facet.vertices.begin(),
-                       facet.vertices.begin() + facet.n_vertices);
-    build_surface(1);
-  }
-
-
-  template <int dim>
   double
   ContactInterface<dim>::deepest_share() const
   {
@@ -375,7 +217,19 @@ namespace MortarContact
 
     const bool is_single =
       parameters.kind == ContactParameters::Kind::automatic_single_surface;
-    AssertThrow(!is_single || (extracted[1].empty() && !obstacle),
+    const bool has_primary_facets =
+      Utilities::MPI::sum(extracted[1].size(), communicator) > 0;
+    AssertThrow(!obstacle || !has_primary_facets,
+                ExcMessage(
+                  "Interface '" + name + "': '" +
+                  (obstacle ? obstacle->name : "") +
+                  "' is a smooth surface and must be the only primary; "
+                  "expected an interface of its own."));
+    AssertThrow(!obstacle || parameters.primary_offset == 0.,
+                ExcMessage("Interface '" + name +
+                           "': 'Primary offset' is set but the primary is a "
+                           "smooth surface; use 'Secondary offset'."));
+    AssertThrow(!is_single || (!has_primary_facets && !obstacle),
                 ExcMessage("Interface '" + name +
                            "' is a single surface: all its parts are "
                            "secondary; it has no primary."));
@@ -384,14 +238,17 @@ namespace MortarContact
                            (obstacle ? obstacle->name : "") +
                            "' is a smooth surface."));
     for (const auto &body : rigid_bodies)
-      {
-        body->move(0.);
-        body->commit();
-        body->move(0.);
-      }
+      if (!body->has_dofs())
+        {
+          body->move(0.);
+          body->commit();
+          body->move(0.);
+        }
     build_surface(0);
     if (!is_single && !obstacle)
       build_surface(1);
+    else
+      surfaces[1] = ContactSurface<dim>();
     for (auto &surface : surfaces)
       surface.move([](const auto) { return 0.; });
     if (parameters.kind == ContactParameters::Kind::forming_surface_to_surface)
@@ -406,6 +263,8 @@ namespace MortarContact
     dofs              = surfaces[0].dofs();
     const auto others = surfaces[1].dofs();
     dofs.insert(dofs.end(), others.begin(), others.end());
+    for (const auto &body : rigid_bodies)
+      dofs.insert(dofs.end(), body->dofs().begin(), body->dofs().end());
     std::sort(dofs.begin(), dofs.end());
     dofs.erase(std::unique(dofs.begin(), dofs.end()), dofs.end());
     values.assign(dofs.size(), 0.);
@@ -449,12 +308,23 @@ namespace MortarContact
         const TieCounts     ties  = tie_sweep->counts();
         std::vector<double> areas = {ties.area,
                                      ties.tied_area,
-                                     double(ties.n_free_facets)};
+                                     double(ties.n_free_facets),
+                                     ties.loose_area};
         Utilities::MPI::sum(areas, communicator, areas);
         InitialReport &initial = last_report.initial;
         initial.secondary_area = areas[0];
         initial.tied_area      = areas[1];
         initial.n_free_facets  = std::lround(areas[2]);
+        initial.loose_area     = areas[3];
+        const double brittle = Utilities::MPI::max(ties.brittle, communicator);
+        AssertThrow(
+          brittle < 1.,
+          ExcMessage("Interface '" + name +
+                     "': the elastic energy of the ties at their strength is " +
+                     std::to_string(brittle) +
+                     " times their fracture energy; nothing is left to "
+                     "soften. Expected larger fracture energies, or a larger "
+                     "'Normal tie stiffness' (CN)."));
         initial.largest_tied_gap =
           Utilities::MPI::max(ties.largest_gap, communicator);
         AssertThrow(initial.tied_area > 0.,
@@ -464,6 +334,11 @@ namespace MortarContact
         exclude_tied_facets();
       }
     detect_initial_penetrations();
+    for (const auto &sweep : sweeps)
+      sweep->start(removal_share(parameters.initial_penetration,
+                                 0.,
+                                 parameters.removal_time));
+    number_parts();
     evaluate(0., false);
     is_set_up = true;
   }
@@ -487,6 +362,29 @@ namespace MortarContact
   {
     return values[std::lower_bound(dofs.begin(), dofs.end(), dof) -
                   dofs.begin()];
+  }
+
+
+  template <int dim>
+  void
+  ContactInterface<dim>::number_parts()
+  {
+    part_names.clear();
+    std::map<std::string, unsigned int> numbers;
+    const auto                          number = [&](const std::string &part) {
+      const auto inserted = numbers.try_emplace(part, part_names.size());
+      if (inserted.second)
+        part_names.push_back(part);
+      return inserted.first->second;
+    };
+    for (unsigned int side = 0; side < 2; ++side)
+      {
+        part_of_facet[side].clear();
+        for (const FacetLabel &label : surfaces[side].labels)
+          part_of_facet[side].push_back(number(label.part));
+      }
+    if (obstacle)
+      part_of_obstacle = number(obstacle->name);
   }
 
 
@@ -618,8 +516,13 @@ namespace MortarContact
     for (const auto &sweep : sweeps)
       depth = std::max(depth, sweep->penetration());
     if (Utilities::MPI::max(depth, communicator) <=
-          parameters.augmentation.tolerance ||
-        last_report.n_augmentations > parameters.augmentation.most)
+        parameters.augmentation.tolerance)
+      {
+        is_augmented = true;
+        return false;
+      }
+    is_augmented = false;
+    if (last_report.n_augmentations >= parameters.augmentation.most)
       return false;
     for (const auto &sweep : sweeps)
       sweep->augment();
@@ -651,7 +554,7 @@ namespace MortarContact
     for (const auto &sweep : sweeps)
       archive << sweep->state();
     for (const auto &body : rigid_bodies)
-      archive << body->motion() << body->motion_before();
+      archive << *body;
     if (tie_sweep)
       {
         const std::vector<TieHistory> ties = tie_sweep->state();
@@ -676,17 +579,12 @@ namespace MortarContact
         sweep->restore(history);
       }
     for (const auto &body : rigid_bodies)
-      {
-        RigidMotion<dim> present, before;
-        archive >> present >> before;
-        body->restore(present, before);
-      }
+      archive >> *body;
     if (tie_sweep)
       {
         std::vector<TieHistory> ties;
         archive >> ties;
         tie_sweep->restore(ties);
-        exclude_tied_facets();
       }
   }
 

@@ -37,17 +37,14 @@ namespace MortarContact
         if (found.n_facets > 0)
           deepest.push_back(
             {found.depth,
-             found.depth / (treatment.largest_share *
-                            surfaces[side_of(i, 0)].cell_length[found.facet]),
+             found.depth / (treatment.largest_share * found.length),
              labels[found.facet],
              {},
              in_space(found.position)});
         if (found.n_too_deep > 0)
           undetected.push_back(
             {found.too_deep,
-             found.too_deep /
-               (treatment.largest_share *
-                surfaces[side_of(i, 0)].cell_length[found.too_deep_facet]),
+             found.too_deep / (treatment.largest_share * found.too_deep_length),
              labels[found.too_deep_facet],
              {},
              in_space(found.too_deep_position)});
@@ -130,13 +127,7 @@ namespace MortarContact
       }
 
     // Forces by part; the secondary is side 0.
-    std::map<std::string, unsigned int> part_numbers;
-    for (const auto &surface : surfaces)
-      for (const FacetLabel &label : surface.labels)
-        part_numbers.try_emplace(label.part, part_numbers.size());
-    if (obstacle)
-      part_numbers.try_emplace(obstacle->name, part_numbers.size());
-    std::vector<double> of_parts(6 * part_numbers.size(), 0.);
+    std::vector<double> of_parts(6 * part_names.size(), 0.);
     for_each_pair([&](const unsigned int i, const auto &pair) {
       for_each_force<dim>(
         surfaces[side_of(i, 0)].skin,
@@ -149,8 +140,7 @@ namespace MortarContact
           const unsigned int facet =
             (role == 0) ? pair.secondary : pair.primary;
           double *of_part =
-            &of_parts
-              [6 * part_numbers[surfaces[side_of(i, role)].labels[facet].part]];
+            &of_parts[6 * part_of_facet[side_of(i, role)][facet]];
           for (unsigned int c = 0; c < 3; ++c)
             {
               of_part[c] += force[c];
@@ -164,22 +154,26 @@ namespace MortarContact
           if (obstacle)
             for (unsigned int c = 0; c < 3; ++c)
               {
-                of_parts[6 * part_numbers[obstacle->name] + c] -= force[c];
-                of_parts[6 * part_numbers[obstacle->name] + 3 + c] -= moment[c];
+                of_parts[6 * part_of_obstacle + c] -= force[c];
+                of_parts[6 * part_of_obstacle + 3 + c] -= moment[c];
               }
         });
     });
     Utilities::MPI::sum(of_parts, communicator, of_parts);
     r.parts.clear();
-    for (const auto &[part, k] : part_numbers)
+    for (unsigned int k = 0; k < part_names.size(); ++k)
       {
         const double *of_part = &of_parts[6 * k];
-        r.parts.push_back({part,
+        r.parts.push_back({part_names[k],
                            Tensor<1, 3>({of_part[0], of_part[1], of_part[2]}),
                            Tensor<1, 3>({of_part[3], of_part[4], of_part[5]})});
       }
     if (tie_sweep)
-      maxima[5] = tie_sweep->largest_opening();
+      {
+        maxima[5] = tie_sweep->largest_opening();
+        for (const auto &pair : tie_sweep->active_pairs())
+          sums[8] += pair.block.energy;
+      }
 
     // Step 2: over the ranks.
     Utilities::MPI::sum(sums, communicator, sums);
@@ -255,7 +249,17 @@ namespace MortarContact
   ContactInterface<dim>::advice() const
   {
     StepAdvice advice;
-    if (last_report.n_augmentations > parameters.augmentation.most)
+    if (largest_tool_step < 1.)
+      {
+        std::ostringstream reason;
+        reason << "interface '" << name
+               << "': a rigid body moves past what is in its way in one step; "
+                  "at most "
+               << largest_tool_step << " of the step is safe";
+        advice.accept = false;
+        advice.reason = reason.str();
+      }
+    else if (!is_augmented)
       {
         std::ostringstream reason;
         reason << "interface '" << name << "': penetrations are above "

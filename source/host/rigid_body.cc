@@ -28,7 +28,7 @@ namespace MortarContact
   void
   RigidBody<dim>::move(const double time)
   {
-    if (prescribed)
+    if (prescribed && !has_dofs())
       present = prescribed(time);
     if (surface)
       {
@@ -41,19 +41,79 @@ namespace MortarContact
 
   template <int dim>
   void
-  RigidBody<dim>::commit()
+  RigidBody<dim>::set_dofs(
+    const std::array<types::global_dof_index, n_dofs> &numbers,
+    const Tensor<1, dim>                              &c,
+    const double                                       l)
   {
+    own_dofs.assign(numbers.begin(), numbers.end());
+    centre = c;
+    length = l;
+    start  = prescribed ? prescribed(0.) : RigidMotion<dim>();
+    move_to({});
     before = present;
   }
 
 
   template <int dim>
   void
-  RigidBody<dim>::restore(const RigidMotion<dim> &saved_present,
-                          const RigidMotion<dim> &saved_before)
+  RigidBody<dim>::move_to(const std::array<double, n_dofs> &values)
   {
-    present = saved_present;
-    before  = saved_before;
+    for (unsigned int i = 0; i < dim; ++i)
+      displacement[i] = values[i];
+    for (unsigned int k = 0; k < n_rotations; ++k)
+      angle[3 - n_rotations + k] = values[dim + k] / length;
+    const Tensor<2, dim> R =
+      rotation_by<dim>(Tensor<1, 3>(angle - last_angle)) * turned;
+    // x = c + u + R (x_0 - c), x_0 the place at the start
+    present.centre   = Tensor<1, dim>();
+    present.rotation = R * start.rotation;
+    present.translation =
+      centre + displacement + R * (start.place(Tensor<1, dim>()) - centre);
+    if (surface)
+      {
+        surface->motion = present;
+        surface->before = before;
+      }
+  }
+
+
+  template <int dim>
+  std::array<std::array<double, RigidBody<dim>::n_rotations>,
+             RigidBody<dim>::n_rotations>
+  RigidBody<dim>::spin_by_dofs() const
+  {
+    std::array<std::array<double, n_rotations>, n_rotations> T = {};
+    if constexpr (dim == 2)
+      T[0][0] = 1. / length;
+    else
+      {
+        // T = a I + b [t x] + c t t, t the rotation of the step
+        const Tensor<1, 3> t  = angle - last_angle;
+        const double       t2 = t.norm_square(), s = std::sqrt(t2);
+        const double       a = (s < 1e-4) ? 1. - t2 / 6. : std::sin(s) / s;
+        const double b = (s < 1e-4) ? 0.5 - t2 / 24. : (1. - std::cos(s)) / t2;
+        const double c = (s < 1e-4) ? 1. / 6. : (1. - a) / t2;
+        for (unsigned int i = 0; i < 3; ++i)
+          for (unsigned int j = 0; j < 3; ++j)
+            {
+              T[i][j] = ((i == j ? a : 0.) + c * t[i] * t[j]) / length;
+              if (i != j)
+                T[i][j] +=
+                  b * ((j == (i + 1) % 3) ? -1. : 1.) * t[3 - i - j] / length;
+            }
+      }
+    return T;
+  }
+
+
+  template <int dim>
+  void
+  RigidBody<dim>::commit()
+  {
+    before     = present;
+    turned     = rotation_by<dim>(Tensor<1, 3>(angle - last_angle)) * turned;
+    last_angle = angle;
   }
 
 

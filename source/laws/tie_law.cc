@@ -13,6 +13,10 @@ namespace MortarContact
     /// Mixes closer to a pure mode than this are that mode: exponents below one
     /// have no derivative there.
     constexpr double pure_mode = 1e-12;
+
+    /// Shear strength that pressure may reach, over that at which the elastic
+    /// energy is the fracture energy.
+    constexpr double least_softening = 0.99;
   } // namespace
 
 
@@ -20,6 +24,23 @@ namespace MortarContact
   TieLaw<dim>::TieLaw(const TieStrength &strength)
     : strength(strength)
   {}
+
+
+  template <int dim>
+  double
+  TieLaw<dim>::brittleness(const double stiffness) const
+  {
+    if (strength.law != TieStrength::Law::dycoss &&
+        strength.law != TieStrength::Law::cohesive)
+      return 0.;
+    const double k_n =
+      (strength.normal_stiffness > 0.) ? strength.normal_stiffness : stiffness;
+    const double k_t = strength.shear_ratio * k_n;
+    return std::max(strength.normal * strength.normal /
+                      (2. * k_n * strength.energy_normal),
+                    strength.shear * strength.shear /
+                      (2. * k_t * strength.energy_shear));
+  }
 
 
   template <int dim>
@@ -125,6 +146,11 @@ namespace MortarContact
         if (strength.law == TieStrength::Law::dycoss)
           shear_strength -=
             std::sin(strength.friction_angle) * std::min(0., t_n);
+        // never so strong that the energy is spent before it softens
+        shear_strength =
+          std::min(shear_strength,
+                   least_softening *
+                     std::sqrt(2. * k_t * strength.energy_shear));
         trial = damage(opening, sliding, k_n, k_t, shear_strength);
         // the growth of the shear strength is left out of the derivative
         r.history.damage = std::max(history.damage, trial.value);

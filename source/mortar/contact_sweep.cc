@@ -88,14 +88,16 @@ namespace MortarContact
                                      f.compliance.begin() +
                                        f.current.n_vertices));
       }
-    if (!secondary.facets.empty() && !primary.facets.empty())
-      surface_offset = std::abs(secondary.facets[0].surface_offset) +
-                       std::abs(primary.facets[0].surface_offset);
+    if (!secondary.facets.empty())
+      surface_offset =
+        std::abs(secondary.facets[0].surface_offset) +
+        (primary.facets.empty() ? 0. :
+                                  std::abs(primary.facets[0].surface_offset));
     if (friction != nullptr)
       {
         history.elastic_slip.resize(owned.size());
         history.sliding.resize(owned.size(), VertexValues<dim>{});
-        history.before = {{current_facets(secondary), current_facets(primary)}};
+        store_before();
       }
     margin =
       margin_share * sum / std::max<std::size_t>(1, secondary.facets.size());
@@ -163,7 +165,8 @@ namespace MortarContact
     if (obstacle != nullptr)
       {
         for (const unsigned int f : owned)
-          pairs.emplace_back(f, 0);
+          if (secondary.facets[f].compliance[0] > 0.)
+            pairs.emplace_back(f, 0);
         return;
       }
     const PairFilter<dim> filter(secondary,
@@ -202,12 +205,8 @@ namespace MortarContact
       state.augmentation = extrapolate_to_vertices<dim>(n, augmentation[o]);
     if (kernel.point.has_friction())
       {
-        const SecondaryFrame<dim> frame(history.before[0][f]);
-        slip.before  = frame.facet;
-        slip.normal  = frame.normal;
-        slip.basis   = frame.basis;
-        slip.elastic = extrapolate_to_vertices<dim>(n, history.elastic_slip[o]);
-        slip.share   = share_before;
+        slip           = slips[o];
+        slip.share     = history.share;
         slip.time_step = last_time_step;
         state.slip     = &slip;
       }
@@ -243,15 +242,15 @@ namespace MortarContact
   std::optional<typename PairKernel<dim>::Hit>
   ContactSweep<dim>::hit(const SecondaryFrame<dim> &frame,
                          const PlanePoint<dim>     &xi,
-                         const unsigned int         p) const
+                         const unsigned int         p,
+                         const double               range) const
   {
     if (obstacle == nullptr)
       return kernel.hit(frame, xi, primary.facets[p]);
     const Tensor<1, dim> x =
       interpolate(frame.facet, shape_values<dim>(frame.facet.n_vertices, xi));
-    // gaps matter too: as far as a facet is large
-    const double range   = std::max(last_reach, frame.diameter);
-    const auto   surface = obstacle->meet(x, frame.normal, range);
+
+    const auto surface = obstacle->meet(x, frame.normal, range);
     if (!surface)
       return {};
     return typename PairKernel<dim>::Hit{PlanePoint<dim>(),
@@ -392,7 +391,7 @@ namespace MortarContact
             unsigned int                                 best_pair = 0;
             for (unsigned int k = 0; k < near.size(); ++k)
               {
-                const auto found = hit(frame, xi, near[k]);
+                const auto found = hit(frame, xi, near[k], far_of(frame));
                 if (found &&
                     (!best || std::abs(found->depth) < std::abs(best->depth)))
                   {
@@ -446,12 +445,14 @@ namespace MortarContact
                               const std::vector<unsigned int> &among,
                               const double                     deepest) const
   {
+    const double         far = 1e3 * far_of(frame);
     std::optional<Depth> nearest;
     // Back faces of the primary that the point has passed, see below.
     double nearest_back = std::numeric_limits<double>::max();
     for (const unsigned int p : among)
       {
-        const auto found = hit(frame, xi, p);
+        const auto found =
+          hit(frame, xi, p, std::min(far, std::max(deepest, far_of(frame))));
         if (!found)
           continue;
         if (obstacle != nullptr)
@@ -575,7 +576,7 @@ namespace MortarContact
                                   }),
                    near.end());
         if (obstacle != nullptr)
-          near = {0};
+          near.assign(facet.compliance[0] > 0. ? 1 : 0, 0);
         if (near.empty())
           continue;
 
@@ -596,6 +597,7 @@ namespace MortarContact
             if (deepest->depth > findings.too_deep)
               {
                 findings.too_deep          = deepest->depth;
+                findings.too_deep_length   = deepest->stiffness.length;
                 findings.too_deep_facet    = f;
                 findings.too_deep_position = depths.position;
               }
@@ -609,6 +611,7 @@ namespace MortarContact
         if (deepest->depth > findings.depth)
           {
             findings.depth    = deepest->depth;
+            findings.length   = deepest->stiffness.length;
             findings.facet    = f;
             findings.position = depths.position;
           }
@@ -645,8 +648,9 @@ namespace MortarContact
                   fits(saved.tied) &&
                   saved.elastic_slip.size() == history.elastic_slip.size(),
                 ExcMessage("The saved state belongs to another surface."));
-    history       = saved;
-    augmentation  = saved.augmentation;
+    history      = saved;
+    augmentation = saved.augmentation;
+    prepare_slips();
     deepest_level = 0.;
     for (const VertexValues<dim> &levels : history.level)
       for (const double level : levels)
@@ -701,7 +705,51 @@ namespace MortarContact
             history.sliding[o][q] += s.slip;
           }
       }
+    store_before();
+  }
+
+
+  template <int dim>
+  void
+  ContactSweep<dim>::store_before()
+  {
     history.before = {{current_facets(secondary), current_facets(primary)}};
+    prepare_slips();
+  }
+
+
+  template <int dim>
+  void
+  ContactSweep<dim>::prepare_slips()
+  {
+    slips.resize(history.elastic_slip.size());
+    for (unsigned int o = 0; o < slips.size(); ++o)
+      {
+        const SecondaryFrame<dim> frame(history.before[0][owned[o]]);
+        slips[o].before = frame.facet;
+        slips[o].normal = frame.normal;
+        slips[o].basis  = frame.basis;
+        slips[o].elastic =
+          extrapolate_to_vertices<dim>(frame.facet.n_vertices,
+                                       history.elastic_slip[o]);
+      }
+  }
+
+
+  template <int dim>
+  void
+  ContactSweep<dim>::start(const double share)
+  {
+    history.share = share;
+  }
+
+
+  template <int dim>
+  double
+  ContactSweep<dim>::far_of(const SecondaryFrame<dim> &frame) const
+  {
+    // gaps matter too: as far as a facet is large
+    return std::max(last_reach, frame.diameter);
   }
 
 
@@ -784,7 +832,7 @@ namespace MortarContact
   {
     update_slip();
     history.augmentation = augmentation;
-    share_before         = last_share;
+    history.share        = last_share;
     if (history.level.empty() && history.released.empty() && released.empty())
       return;
 
@@ -842,7 +890,7 @@ namespace MortarContact
     if (owned.empty() || (moved_p.empty() && obstacle == nullptr))
       return step;
     if (obstacle != nullptr)
-      return safe_step_to_obstacle(moved_s);
+      return safe_step_to_obstacle(moved_s, obstacle->motion);
 
     std::vector<Box<dim>> boxes;
     for (unsigned int p = 0; p < moved_p.size(); ++p)
@@ -899,28 +947,34 @@ namespace MortarContact
 
   template <int dim>
   double
-  ContactSweep<dim>::safe_step_to_obstacle(
-    const std::vector<Facet<dim>> &moved) const
+  ContactSweep<dim>::safe_step_to_obstacle(const std::vector<Facet<dim>> &moved,
+                                           const RigidMotion<dim> &motion) const
   {
     double step = 1.;
     for (const unsigned int f : owned)
       {
-        if (!may_meet_obstacle(f))
-          continue;
         const Facet<dim>         &facet = secondary.facets[f].current;
         const SecondaryFrame<dim> frame(facet);
-        const auto                found =
-          hit(frame, reference_centre<dim>(facet.n_vertices), 0);
-        if (!found)
-          continue;
-        double advance = std::numeric_limits<double>::lowest();
+        // towards the body, that moves itself
+        double advance = 0.;
         for (unsigned int a = 0; a < facet.n_vertices; ++a)
           advance =
-            std::max(advance, frame.normal * (moved[f].x[a] - facet.x[a]));
-        const double gap = -found->depth - secondary.facets[f].surface_offset;
-        const double allowed = std::max(gap, 0.) + safe_share * longest(f);
-        if (advance > allowed)
-          step = std::min(step, allowed / advance);
+            std::max(advance,
+                     frame.normal *
+                       (moved[f].x[a] -
+                        motion.place(obstacle->motion.origin(facet.x[a]))));
+        const double allowed = safe_share * longest(f);
+        if (advance <= allowed ||
+            obstacle->is_far(centre(facet), frame.diameter + advance))
+          continue;
+        double gap = std::numeric_limits<double>::max();
+        for (const auto &point : kernel.fixed_points(facet.n_vertices))
+          if (const auto found =
+                hit(frame, point.first, 0, far_of(frame) + advance))
+            gap =
+              std::min(gap, -found->depth - secondary.facets[f].surface_offset);
+        if (advance > std::max(gap, 0.) + allowed)
+          step = std::min(step, (std::max(gap, 0.) + allowed) / advance);
       }
     return step;
   }

@@ -401,15 +401,8 @@ namespace MortarContact
   void
   PairKernel<dim>::finish(PairBlock<dim> &block) const
   {
-    if (!options.symmetrise)
-      return;
-    for (unsigned int i = 0; i < max_pair_components<dim>; ++i)
-      for (unsigned int j = 0; j < i; ++j)
-        {
-          const double mean = 0.5 * (block.tangent[i][j] + block.tangent[j][i]);
-          block.tangent[i][j] = mean;
-          block.tangent[j][i] = mean;
-        }
+    if (options.symmetrise)
+      symmetrise(block.tangent);
   }
 
 

@@ -27,10 +27,14 @@ namespace MortarContact
     : secondary(secondary)
     , primary(primary)
     , law(strength)
+    , symmetrise(kernel.options.symmetrise)
   {
     std::vector<Box<dim>> boxes;
+    double                primary_offset = 0.;
     for (const auto &p : primary.facets)
-      boxes.push_back(box_around(p.reference));
+      primary_offset = std::max(primary_offset, std::abs(p.surface_offset));
+    for (const auto &p : primary.facets)
+      boxes.push_back(box_around(p.current));
     const BroadPhase<dim> broad_phase(boxes);
     const PairFilter<dim> filter(secondary,
                                  primary,
@@ -42,15 +46,16 @@ namespace MortarContact
         if (!secondary.is_owned[f])
           continue;
         owned.push_back(f);
-        const ContactFacet<dim>  &facet = secondary.facets[f];
-        const SecondaryFrame<dim> frame(facet.reference);
+        const ContactFacet<dim> &facet = secondary.facets[f];
+        // now at time 0; undeformed, but rigid bodies in their place
+        const SecondaryFrame<dim> frame(facet.current);
         const double              near =
           (tolerance > 0.) ? tolerance : default_tolerance * frame.diameter;
         at_start.area += area(facet.reference);
 
-        Box<dim> box = box_around(facet.reference);
-        inflate(box, near + std::abs(facet.surface_offset));
-        bool any = false;
+        Box<dim> box = box_around(facet.current);
+        inflate(box, near + std::abs(facet.surface_offset) + primary_offset);
+        double tied = 0.;
         for (const unsigned int p : broad_phase.find(box))
           {
             if (!filter.face_each_other(f, p))
@@ -66,7 +71,7 @@ namespace MortarContact
                 tie.eta    = q.eta;
                 tie.weight = q.weight;
                 tie.apart =
-                  apart(frame, primary.facets[p].reference, q.xi, q.eta);
+                  apart(frame, primary.facets[p].current, q.xi, q.eta);
                 const double gap = -tie.apart[dim - 1] - facet.surface_offset -
                                    at.surface_offset;
                 if (std::abs(gap) > near)
@@ -77,16 +82,21 @@ namespace MortarContact
                 at_start.largest_gap =
                   std::max(at_start.largest_gap, std::abs(gap));
                 at_start.tied_area += tie.weight;
+                at_start.brittle =
+                  std::max(at_start.brittle, law.brittleness(tie.stiffness));
                 points.push_back(tie);
               }
             if (points.empty())
               continue;
-            any = true;
+            for (const TiePoint<dim> &tie : points)
+              tied += tie.weight;
             pairs.emplace_back(f, p);
             ties.push_back(points);
           }
-        if (!any)
+        if (tied == 0.)
           ++at_start.n_free_facets;
+        else
+          at_start.loose_area += std::max(0., area(facet.reference) - tied);
       }
     trial.resize(ties.size());
     for (std::size_t i = 0; i < ties.size(); ++i)
@@ -118,6 +128,8 @@ namespace MortarContact
                 opening,
                 (apart(frame, other, tie.xi, tie.eta) - tie.apart).norm());
           }
+        if (symmetrise && with_tangent)
+          PairAlgebra::symmetrise(block.tangent);
       }
     // facets that nothing holds any more are ordinary contact
     const std::vector<char> held = holds();
@@ -143,9 +155,12 @@ namespace MortarContact
         {
           TieHistory       &old = ties[i][q].history;
           const TieHistory &now = trial[i][q];
-          // trapezoidal rule over the damage of the step
-          dissipated += ties[i][q].weight * 0.5 * (old.release + now.release) *
-                        (now.damage - old.damage);
+          // trapezoidal rule over the damage of the step; OPTION 2 was whole
+          const double release =
+            (law.strength.law == TieStrength::Law::strength) ?
+              now.release :
+              0.5 * (old.release + now.release);
+          dissipated += ties[i][q].weight * release * (now.damage - old.damage);
           old = now;
         }
   }

@@ -308,6 +308,14 @@ namespace MortarContact
                            kinds[static_cast<unsigned int>(kind)] +
                            "'; ties are free of stress at the start. Remove "
                            "one of them."));
+    AssertThrow(tool_normals == ToolNormals::check ||
+                  kind == Kind::forming_surface_to_surface,
+                ExcMessage("'Tool normals' is set but 'Kind' is not 'forming "
+                           "surface to surface'. Remove one of them."));
+    AssertThrow(kind != Kind::automatic_single_surface || primary_offset == 0.,
+                ExcMessage("'Primary offset' is set but 'Kind' is 'automatic "
+                           "single surface', which has no primary; use "
+                           "'Secondary offset'."));
     AssertThrow(augmentation.is_on == (augmentation.tolerance > 0.),
                 ExcMessage("'Augmentation' is '" +
                            std::string(augmentation.is_on ? "Uzawa" : "none") +

@@ -90,6 +90,11 @@ namespace MortarContact
     const bool has_strength = strength.normal > 0. || strength.shear > 0. ||
                               strength.energy_normal > 0. ||
                               strength.energy_shear > 0.;
+    AssertThrow(is_tiebreak || (strength.normal_stiffness == 0. &&
+                                strength.shear_ratio == 1.),
+                ExcMessage("'Normal tie stiffness' or 'Shear to normal "
+                           "stiffness' is set but 'Kind' is not 'tiebreak'. "
+                           "Remove one of them."));
     AssertThrow(is_tiebreak || !has_strength,
                 ExcMessage("A strength or fracture energy of ties is set but "
                            "'Kind' is not 'tiebreak'. Remove one of them."));
@@ -112,23 +117,7 @@ namespace MortarContact
     AssertThrow(strength.friction_angle == 0. || strength.law == Law::dycoss,
                 ExcMessage("'Tie friction angle' is set but 'Tiebreak' is not "
                            "'Dycoss'. Remove one of them."));
-    if (softens && strength.normal_stiffness > 0.)
-      {
-        // the opening at which damage starts must lie before the last one
-        const double k_n       = strength.normal_stiffness;
-        const double k_t       = strength.shear_ratio * k_n;
-        const double brittle_n = strength.normal * strength.normal / (2. * k_n);
-        const double brittle_s = strength.shear * strength.shear / (2. * k_t);
-        AssertThrow(
-          strength.energy_normal > brittle_n &&
-            strength.energy_shear > brittle_s,
-          ExcMessage(
-            "The fracture energies (" + std::to_string(strength.energy_normal) +
-            ", " + std::to_string(strength.energy_shear) +
-            ") are below the elastic energies at the strengths (" +
-            std::to_string(brittle_n) + ", " + std::to_string(brittle_s) +
-            "); expected larger energies or a larger 'Normal tie "
-            "stiffness' (CN)."));
-      }
+    // whether the energies exceed the elastic ones is seen when the contact
+    // stiffness is known, see TieLaw::brittleness()
   }
 } // namespace MortarContact

@@ -70,6 +70,11 @@ namespace MortarContact
         out << "  tied: " << 100. * initial.tied_area / initial.secondary_area
             << " % of the secondary's area, largest gap "
             << initial.largest_tied_gap << "\n";
+        if (initial.loose_area > 1e-6 * initial.secondary_area)
+          out
+            << "  NOTE: " << 100. * initial.loose_area / initial.secondary_area
+            << " % of the area belongs to facets that are tied in part; there "
+               "is no contact there while a tie holds the facet\n";
         if (initial.n_free_facets > 0)
           out << "  NOTE: " << initial.n_free_facets
               << " secondary facets are not tied: nothing lies within 'Tie "

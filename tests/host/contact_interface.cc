@@ -742,3 +742,86 @@ TEST(ContactInterface, AugmentationKeepsThePressureAndTakesThePenetration)
   contact.update(lift(blocks, 0.02));
   EXPECT_EQ(contact.report().force[2], 0.);
 }
+
+
+// Reference: differences of the forces, over the body's dofs too.
+TEST(ContactInterface, RigidBodiesWithDofsTakeTheResultantAndTheTangentIsExact)
+{
+  TwoBlocks<3>       blocks(-1.);
+  const unsigned int rank    = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
+  const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+  const types::global_dof_index n = blocks.dof_handler.n_dofs();
+  IndexSet                      owned(n + 6);
+  owned.add_indices(blocks.dof_handler.locally_owned_dofs());
+  if (rank + 1 == n_ranks)
+    owned.add_range(n, n + 6);
+  owned.compress();
+  TrilinosWrappers::MPI::Vector u(owned, MPI_COMM_WORLD);
+
+  for (const bool smooth : {true, false})
+    for (const double coefficient : {0., 0.3})
+      {
+        const auto body =
+          smooth ? std::make_shared<RigidBody<3>>(
+                     "ball",
+                     std::make_unique<ImplicitObstacle<3>>(ball_shape<3>(2.))) :
+                   std::make_shared<RigidBody<3>>(
+                     "sheet",
+                     std::vector<Tensor<1, 3>>{Tensor<1, 3>({-1., -1., -2.01}),
+                                               Tensor<1, 3>({1.1, -1., -2.}),
+                                               Tensor<1, 3>({1., 1.2, -1.99}),
+                                               Tensor<1, 3>({-1., 1., -2.})},
+                     std::vector<std::vector<unsigned int>>{{0, 3, 2, 1}});
+        body->prescribed = [](const double) {
+          RigidMotion<3> m;
+          m.translation = Tensor<1, 3>({0.5, 0.5, 2.96});
+          return m;
+        };
+        std::array<types::global_dof_index, 6> dofs;
+        for (unsigned int i = 0; i < 6; ++i)
+          dofs[i] = n + i;
+        body->set_dofs(dofs, Tensor<1, 3>({0.3, 0.6, 2.}), 1.5);
+        ContactParameters p;
+        p.characteristic_length = "0.2";
+        p.friction.coefficient  = coefficient;
+        ContactInterface<3> contact("i", p, MPI_COMM_WORLD);
+        contact.add_secondary(
+          blocks.dof_handler,
+          blocks.mapping,
+          boundary_ids({10}),
+          [](const auto &) { return 1000.; },
+          "a");
+        contact.add_primary(body);
+        contact.setup();
+        u = 0.;
+        if (rank + 1 == n_ranks)
+          {
+            u(n)     = 0.002;
+            u(n + 2) = -0.003;
+          }
+        u.compress(VectorOperation::insert);
+        EXPECT_LT(contact.check_tangent(u), 2e-6) << smooth << coefficient;
+        contact.update(u);
+        EXPECT_GT(contact.report().active_pairs, 3u);
+        // the forces on the body's dofs are the resultant
+        TrilinosWrappers::MPI::Vector forces(owned, MPI_COMM_WORLD);
+        AffineConstraints<double>     none;
+        none.close();
+        contact.assemble(forces, none);
+        forces.compress(VectorOperation::add);
+        Tensor<1, 3> F, M;
+        for (const auto &part : contact.report().parts)
+          if (part.name == body->name)
+            {
+              F = part.force;
+              M = part.moment -
+                  cross_product_3d(body->turning_point(), part.force);
+            }
+        if (rank + 1 == n_ranks)
+          for (unsigned int i = 0; i < 3; ++i)
+            {
+              EXPECT_NEAR(forces(n + i), F[i], 1e-12 * F.norm());
+              EXPECT_NEAR(forces(n + 3 + i), M[i] / 1.5, 1e-12 * F.norm());
+            }
+      }
+}

@@ -40,6 +40,9 @@ set_punch() {
   refuse "$words" "$scene" "$punch" "${arguments[@]}"
 }
 
+# a mesh file that is none
+echo "not a mesh" > "$work/bad.msh"
+
 refuse "cannot be opened|nothing.prm" "$scene" "$work/nothing.prm"
 refuse "Driver|rubber_fit|contact_scene" "$scene" "$ring"
 refuse "--sett" "$scene" "$punch" --sett x=1
@@ -80,13 +83,57 @@ set_punch "First step|Largest step" "Steps/Largest step=0.01"
 set_punch "Names|block|twice" "Bodies/Names=block, punch, block"
 set_punch "Bodies|empty" "Bodies/Names="
 set_punch "Section/Entry=value" "Steps"
+set_punch "Friction coefficient|tied" "$c/Kind=tied" "$c/Friction coefficient=0.3"
+set_punch "Friction coefficient|-0.1" "$c/Friction coefficient=-0.1"
+set_punch "Friction decay|Dynamic friction coefficient" "$c/Friction coefficient=0.3" "$c/Dynamic friction coefficient=0.1"
+set_punch "Friction function|0.3*q" "$c/Friction function=0.3*q"
+set_punch "Friction function|Friction coefficient" "$c/Friction function=0.3" "$c/Friction coefficient=0.3"
+set_punch "Elastic slip|friction" "$c/Elastic slip=1e-3"
+set_punch "Tie tolerance|tied" "$c/Tie tolerance=1"
+set_punch "Normal strength|NFLS|tiebreak" "$c/Kind=tiebreak"
+set_punch "ERATEN|ERATES" "$c/Kind=tiebreak" "$c/Tiebreak=cohesive" "$c/Normal strength=1" "$c/Shear strength=1"
+set_punch "fracture energy|CN" "$c/Kind=tiebreak" "$c/Tiebreak=cohesive" "$c/Normal strength=100" "$c/Shear strength=100" "$c/Normal fracture energy=1e-6" "$c/Shear fracture energy=1e-6"
+set_punch "punch on block|nothing is tied|Tie tolerance" "$c/Kind=tied" "$c/Secondary=block: boundary 2"
+set_punch "Penetration tolerance|Uzawa" "$c/Augmentation=Uzawa"
+set_punch "Primary|single surface" "$c/Kind=automatic single surface"
+set_punch "Tool normals|forming" "$c/Tool normals=turn"
+set_punch "Stiffness smoothing|nodes" "$c/Stiffness smoothing=0.1"
+set_punch "Density|dynamic" "Dynamics/Type=dynamic"
+set_punch "Initial velocity|static" "$b/Initial velocity=1; 0"
+set_punch "Mass damping|static" "Dynamics/Mass damping=1"
+set_punch "Map|components|2" "$b/Mesh/Map=x"
+set_punch "Map|inside out" "$b/Mesh/Map=-x; y"
+
+# rigid bodies: the punch of a scene of its own
+wall="$prm/verification/impact_bar.prm"
+w="Rigid bodies/wall"
+set_wall() {
+  local words=$1
+  shift
+  local arguments=()
+  for setting in "$@"; do arguments+=(--set "$setting"); done
+  refuse "$words" "$scene" "$wall" "${arguments[@]}"
+}
+set_wall "Type|cylinder|Dimension" "$w/Type=cylinder"
+set_wall "Sizes|box" "$w/Type=box"
+set_wall "Formula|formula" "$w/Type=formula"
+set_wall "wall|x^|formula" "$w/Type=formula" "$w/Formula=x^"
+set_wall "File|none.stl|cannot be opened" "$w/Type=mesh" "$w/File=$work/none.stl"
+set_wall "File|bad.msh|surface mesh" "$w/Type=mesh" "$w/File=$work/bad.msh"
+set_wall "Position|2" "$w/Position=1,2,3"
+set_wall "Axis|direction" "$w/Axis=0, 0"
+set_wall "Move z|Dimension" "$w/Move z=t"
+set_wall "Smooth|mesh" "$w/Smooth=yes"
+set_wall "Force x|Free motions" "$w/Force x=1"
+set_wall "Free motions|dynamic" "$w/Free motions=x"
+set_wall "smooth surface|primary" "Contact/end/Secondary=wall" "Contact/end/Primary=bar"
+set_wall "only primary|wall" "Contact/end/Primary=wall; bar"
+set_wall "wall|different names" "Bodies/Names=bar, wall"
 refuse "Outer radius|Inner radius" "$fit" "$ring" --set "Rubber/Outer radius=10"
 refuse "MPAR2|Deepest initial penetration|1.5" "$fit" "$ring" --set "Contact/Deepest initial penetration=1.0"
 refuse "Hardness|120" "$fit" "$ring" --set "Rubber/Hardness=120"
 refuse "checkpoint|no such file" "$scene" "$punch" --restart "$work/no_run"
 
-# a mesh file that is none
-echo "not a mesh" > "$work/bad.msh"
 set_punch "File|bad.msh|gmsh" "$b/Mesh/Type=file" "$b/Mesh/File=$work/bad.msh"
 # a folder that cannot be made
 : > "$work/file"

@@ -206,11 +206,12 @@ TEST(Friction, BlockStartsToSlideAtTheAngleOfFriction)
       rigid("floor", "Type = plane") +
       condition("top",
                 "Body = block|Boundary ids = 3|Type = traction|x = t|y = -1") +
-      interface("i",
-                "Secondary = block: boundary 2|Primary = floor|Friction "
-                "coefficient = 0.3|Law = linear|Secondary offset = 1e-3|Initial "
-                "penetration = ignore|Initial pressure = 1" +
-                  stiffness) +
+      interface(
+        "i",
+        "Secondary = block: boundary 2|Primary = floor|Friction "
+        "coefficient = 0.3|Law = linear|Secondary offset = 1e-3|Initial "
+        "penetration = ignore|Initial pressure = 1" +
+          stiffness) +
       solver(1e-9, 0.02) +
       section("Steps", "Smallest step = 2e-4|Largest step = 0.02"),
     log);

@@ -60,6 +60,72 @@ TEST(Sliding, PunchNeedsAtMostFiveIterationsIn2d)
 }
 
 
+namespace
+{
+  /// Largest second difference of the force over its mean while the punch
+  /// slides, by integration; and Newton iterations.
+  std::pair<double, unsigned int>
+  roughness(const std::string &integration)
+  {
+    Log  log(MPI_COMM_WORLD, true);
+    auto s = make<2>(
+      names("block, punch", "base, top", "i") +
+        body("block",
+             "Lower corner = 0,0|Upper corner = 4,1|Cells = 40,10",
+             soft) +
+        body("punch",
+             "Lower corner = 1,0|Upper corner = 2,1|Cells = 14,7|Map = x; "
+             "(1+0.4*(x-1.5)^2)*(1-y)+1.5*y",
+             stiff) +
+        condition("base", "Body = block|Boundary ids = 2|x = 0|y = 0") +
+        condition("top",
+                  "Body = punch|Boundary ids = 3|x = if(t<1, 0, 0.5*(t-1))|"
+                  "y = if(t<1, -0.05*t, -0.05)") +
+        interface("i",
+                  "Secondary = block: boundary 3|Primary = punch: boundary 2|"
+                  "Kind = forming surface to surface|Stiffness scale = 20|"
+                  "Release = report|" +
+                    integration) +
+        solver(1e-8, 0.02) +
+        section("Steps", "End time = 2|First step = 0.02|Times to meet = 1"),
+      log);
+    std::vector<double> forces;
+    s->after_step = [&](Simulation<2> &now) {
+      if (now.time > 1.01)
+        forces.push_back(now.model.interfaces[0]->report().force[1]);
+    };
+    EXPECT_EQ(s->run(), finished);
+    double largest = 0., sum = 0.;
+    for (std::size_t i = 1; i + 1 < forces.size(); ++i)
+      {
+        largest =
+          std::max(largest,
+                   std::abs(forces[i + 1] - 2. * forces[i] + forces[i - 1]));
+        sum += std::abs(forces[i]);
+      }
+    return {largest * (forces.size() - 2) / sum, s->newton_iterations};
+  }
+} // namespace
+
+
+// What users have today, for comparison: the force of node-to-segment contact
+// jumps where nodes cross edges.
+TEST(Sliding, SegmentsAreSmootherThanNodes)
+{
+  const auto segments = roughness("Integration = segments");
+  const auto points   = roughness("Integration = points");
+  const auto nodes    = roughness("Integration = nodes");
+  const auto smoothed =
+    roughness("Integration = nodes|Stiffness smoothing = 0.02");
+  std::cout << "second difference over mean force, iterations: segments "
+            << segments.first << " " << segments.second << ", points "
+            << points.first << " " << points.second << ", nodes " << nodes.first
+            << " " << nodes.second << ", nodes with stiffness smoothing "
+            << smoothed.first << " " << smoothed.second << std::endl;
+  EXPECT_LT(5. * segments.first, nodes.first);
+}
+
+
 TEST(Sliding, PunchNeedsAtMostFiveIterationsIn3d)
 {
   EXPECT_LE(

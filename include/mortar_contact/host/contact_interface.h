@@ -194,7 +194,8 @@ namespace MortarContact
                   const unsigned int n_samples = 3);
 
     /// Sum of all contact forces and of their moments about the origin, on both
-    /// bodies: zero to round-off, over the sum of their magnitudes.
+    /// bodies: zero to round-off, over the sum of their magnitudes. Zero by
+    /// definition with an obstacle, which has no vertices.
     double
     check_balance() const;
 
@@ -288,6 +289,36 @@ namespace MortarContact
     void
     detect_initial_penetrations();
 
+    /// Move the rigid bodies to their place at a time, or to where the fetched
+    /// values of their dofs say.
+    void
+    place_rigid_bodies(const double time);
+
+    /// Whether the rigid bodies that are moved may go to their place at @p time
+    /// in one step, see largest_safe_step(); from the last accepted place.
+    void
+    check_motion_of_tools(const double time);
+
+    void
+    number_parts();
+
+    /// The rigid body with dofs behind a facet, if there is one.
+    const RigidBody<dim> *
+    body_with_dofs(const unsigned int sweep,
+                   const unsigned int role,
+                   const unsigned int facet) const;
+
+    /// Forces and tangent of a pair of which the side @p role is a rigid body
+    /// with dofs: on the components of the other side, and, behind
+    /// max_pair_components, on the body's translations and spins.
+    void
+    rigid_pair(const unsigned int                            sweep,
+               const typename ContactSweep<dim>::ActivePair &pair,
+               const unsigned int                            role,
+               const RigidBody<dim>                         &body,
+               std::vector<double>                          &residual,
+               FullMatrix<double>                           &tangent) const;
+
     /// Value of one dof as fetched by fetch().
     double
     value(const types::global_dof_index dof) const;
@@ -349,7 +380,13 @@ namespace MortarContact
     std::unique_ptr<TieSweep<dim>>                  tie_sweep;
     ContactReport                                   last_report;
     bool                                            pattern_is_current = false;
+    bool   is_augmented      = true; ///< Penetrations are below the tolerance.
+    double largest_tool_step = 1.;   ///< See check_motion_of_tools().
+    std::vector<std::string>  part_names;
+    std::vector<unsigned int> part_of_facet[2];
+    unsigned int              part_of_obstacle = 0;
     bool         is_set_up        = false; ///< The next add_..() starts anew.
+    double       last_time        = 0.;    ///< Of the last update() [s]
     double       committed_time   = 0.;    ///< Of the last commit() [s]
     double       dissipation      = 0.;    ///< By friction until then [J]
     unsigned int n_rigid_vertices = 0;

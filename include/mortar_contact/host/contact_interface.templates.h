@@ -31,8 +31,10 @@ namespace MortarContact
                                 const bool        with_tangent)
   {
     fetch(u);
-    for (const auto &body : rigid_bodies)
-      body->move(time);
+    if (time != last_time)
+      check_motion_of_tools(time);
+    place_rigid_bodies(time);
+    last_time = time;
     for (auto &surface : surfaces)
       surface.move([&](const auto dof) { return value(dof); });
     evaluate(time, with_tangent);
@@ -106,17 +108,20 @@ namespace MortarContact
                                            const VectorType &du)
   {
     fetch(u);
+    place_rigid_bodies(last_time);
     for (auto &surface : surfaces)
       surface.move([&](const auto dof) { return value(dof); });
     const std::vector<double> from = values;
     fetch(du);
     for (std::size_t i = 0; i < values.size(); ++i)
       values[i] += from[i];
+    place_rigid_bodies(last_time);
     std::vector<Facet<dim>> moved[2];
     for (unsigned int side = 0; side < 2; ++side)
       moved[side] =
         surfaces[side].moved([&](const auto dof) { return value(dof); });
     values = from;
+    place_rigid_bodies(last_time);
 
     double step = 1.;
     for (unsigned int i = 0; i < sweeps.size(); ++i)

@@ -53,6 +53,7 @@ namespace MortarContact
   class FormulaFriction : public FrictionLaw
   {
   public:
+    /// Negative values count as zero.
     /// @throw ExcMessage if @p formula is none.
     explicit FormulaFriction(const std::string &formula);
     ~FormulaFriction() override;

@@ -94,6 +94,13 @@ namespace MortarContact
              const double          stiffness,
              const TieHistory     &history) const;
 
+    /// Elastic energy at the strength over the fracture energy, the larger of
+    /// the two modes: from 1 on nothing is left to soften. Zero for laws that
+    /// do not soften. @param stiffness Contact stiffness where CN is zero
+    /// [Pa/m].
+    double
+    brittleness(const double stiffness) const;
+
     const TieStrength strength;
 
   private:

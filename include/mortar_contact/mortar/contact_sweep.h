@@ -17,13 +17,15 @@ namespace MortarContact
   {
     unsigned int   n_facets = 0;  ///< Facets that penetrate.
     double         depth    = 0.; ///< Deepest penetration found [m].
+    double         length   = 0.; ///< l there [m].
     unsigned int   facet    = 0;  ///< Secondary facet and
     Tensor<1, dim> position;      ///< place of the deepest.
     /// Facets that penetrate deeper than the release depth (or MPAR2) at the
     /// start, and are not treated therefore; the deepest.
-    unsigned int   n_too_deep     = 0;
-    double         too_deep       = 0.;
-    unsigned int   too_deep_facet = 0;
+    unsigned int   n_too_deep      = 0;
+    double         too_deep        = 0.;
+    double         too_deep_length = 0.;
+    unsigned int   too_deep_facet  = 0;
     Tensor<1, dim> too_deep_position;
   };
 
@@ -162,6 +164,16 @@ namespace MortarContact
     safe_step(const std::vector<Facet<dim>> &moved_s,
               const std::vector<Facet<dim>> &moved_p) const;
 
+    /// The same against an obstacle that goes to @p motion meanwhile.
+    double
+    safe_step_to_obstacle(const std::vector<Facet<dim>> &moved,
+                          const RigidMotion<dim>        &motion) const;
+
+    /// What is left of the initial penetrations at the start; after
+    /// detect_initial().
+    void
+    start(const double share);
+
     const ContactHistory<dim> &
     state() const
     {
@@ -198,10 +210,23 @@ namespace MortarContact
     std::optional<typename PairKernel<dim>::Hit>
     hit(const SecondaryFrame<dim> &frame,
         const PlanePoint<dim>     &xi,
-        const unsigned int         p) const;
+        const unsigned int         p,
+        const double               range) const;
+
+    /// Prepare the slip of all owned facets for the next step.
+    void
+    store_before();
 
     void
     update_slip();
+
+    /// The part of the slip that does not change within a step.
+    void
+    prepare_slips();
+
+    /// How far a secondary point looks for an obstacle.
+    double
+    far_of(const SecondaryFrame<dim> &frame) const;
 
     /// Effective depth at the material points of the owned facet @p o; lowest
     /// number: out of sight.
@@ -212,8 +237,7 @@ namespace MortarContact
     bool
     may_meet_obstacle(const unsigned int f) const;
 
-    double
-    safe_step_to_obstacle(const std::vector<Facet<dim>> &moved) const;
+
 
     void
     count(const PairBlock<dim> &block);
@@ -285,10 +309,10 @@ namespace MortarContact
     double               surface_offset       = 0.; ///< Of both sides [m].
     double               deepest_level        = 0.; ///< Of the history [m].
 
-    double last_reach     = 0.; ///< Largest, last search [m]
-    double last_share     = 0.; ///< Of the last evaluation.
-    double last_time_step = 0.;
-    double share_before   = 0.; ///< At the last commit().
+    double                      last_reach = 0.; ///< Largest, last search [m]
+    double                      last_share = 0.; ///< Of the last evaluation.
+    double                      last_time_step = 0.;
+    std::vector<FacetSlip<dim>> slips; ///< By owned facet; friction only.
 
     ContactHistory<dim>                                history;
     std::vector<VertexValues<dim>>                     augmentation; ///< Trial.

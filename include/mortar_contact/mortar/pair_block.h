@@ -73,6 +73,16 @@ namespace MortarContact
           add(left[i], right, sum[i]);
     }
 
+    /// Replace a matrix by its symmetric part.
+    template <std::size_t n>
+    inline void
+    symmetrise(std::array<std::array<double, n>, n> &matrix)
+    {
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < i; ++j)
+          matrix[i][j] = matrix[j][i] = 0.5 * (matrix[i][j] + matrix[j][i]);
+    }
+
     /// Value at a point of shape values and vertex values.
     template <int dim>
     inline double

@@ -12,10 +12,13 @@ namespace MortarContact
   /// What was tied on one rank, and what has become of it.
   struct TieCounts
   {
-    double       area          = 0.; ///< Of the owned secondary facets [m^2]
-    double       tied_area     = 0.; ///< Tied at the start
-    double       whole_area    = 0.; ///< and not damaged now
-    double       failed_area   = 0.; ///< or failed.
+    double area        = 0.; ///< Of the owned secondary facets [m^2]
+    double tied_area   = 0.; ///< Tied at the start
+    double whole_area  = 0.; ///< and not damaged now
+    double failed_area = 0.; ///< or failed.
+    /// Of facets that are tied in part: no contact there while they are.
+    double       loose_area    = 0.;
+    double       brittle       = 0.; ///< See TieLaw::brittleness().
     double       largest_gap   = 0.; ///< That was tied [m]
     double       dissipated    = 0.; ///< By damage, since the start [J]
     unsigned int n_free_facets = 0;  ///< Facets of which nothing was tied.
@@ -90,6 +93,7 @@ namespace MortarContact
     const Skin<dim>  &secondary;
     const Skin<dim>  &primary;
     const TieLaw<dim> law;
+    const bool        symmetrise;
     TieCounts         at_start;
     double            dissipated = 0.;
     double            opening    = 0.;

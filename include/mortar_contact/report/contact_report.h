@@ -66,6 +66,7 @@ namespace MortarContact
     /// Ties: area of the secondary, what of it is tied, facets without a tie,
     /// largest gap that was tied [m^2, m].
     double       secondary_area = 0., tied_area = 0., largest_tied_gap = 0.;
+    double       loose_area    = 0.; ///< Of facets that are tied in part.
     unsigned int n_free_facets = 0;
   };
 

@@ -15,10 +15,10 @@ namespace MortarContact
    * no pair if they are neighbours in the undeformed body, that is, if neither
    * lies in front of the other there and they are closer than
    *   max(2 reach, 1.5 depth),
-   * depth the distance of one behind the other. So a wall does not see its own
-   * far side however thin it is, and faces that look at each other across a
-   * slot are a pair however narrow it is. No counting of elements: the rule
-   * does not depend on the mesh.
+   * depth the distance of one behind the other (up to three times the reach).
+   * So a wall does not see its own far side however thin it is, and faces that
+   * look at each other across a slot are a pair however narrow it is. No
+   * counting of elements: the rule does not depend on the mesh.
    */
   template <int dim>
   class PairFilter
@@ -84,6 +84,9 @@ namespace MortarContact
         return false;
       const double reach = ceiling * std::max(fs.length[0], fp.length[0]);
       const double depth = -std::min(front_s, front_p);
+      // what is thicker cannot be squeezed into reach, but may bend onto itself
+      if (depth > 3. * reach)
+        return false;
       return r.norm() - 0.5 * sizes < std::max(2. * reach, 1.5 * depth);
     }
 

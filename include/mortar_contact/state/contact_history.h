@@ -63,12 +63,15 @@ namespace MortarContact
     /// step. Empty: no friction.
     std::array<std::vector<Facet<dim>>, 2> before;
 
+    /// What was left of the levels at the end of the last accepted step.
+    double share = 0.;
+
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
       archive &level &released &elastic_slip &sliding &augmentation &tied
-        &before;
+        &before &share;
     }
   };
 } // namespace MortarContact
