@@ -82,13 +82,13 @@ namespace Structure
              const NewtonParameters                           &parameters,
              const LinearSolverParameters                     &linear,
              const double                                      time,
+             const Vector_t                                   &u_start,
              Vector_t                                         &u,
              const std::function<void(const NewtonIterate &)> &watch)
   {
-    NewtonResult   result;
-    const Vector_t u_start = u;
-    Vector_t       du      = model.make_vector();
-    double         modulus = 0.;
+    NewtonResult result;
+    Vector_t     du      = model.make_vector();
+    double       modulus = 0.;
     for (const auto &b : model.bodies)
       modulus = std::max(modulus, b->material->shear_modulus);
     const double floor = force_floor * modulus * std::pow(model.size, dim - 1.);
@@ -195,6 +195,7 @@ namespace Structure
              const NewtonParameters &,
              const LinearSolverParameters &,
              const double,
+             const Vector_t &,
              Vector_t &,
              const std::function<void(const NewtonIterate &)> &);
   template NewtonResult
@@ -202,6 +203,7 @@ namespace Structure
              const NewtonParameters &,
              const LinearSolverParameters &,
              const double,
+             const Vector_t &,
              Vector_t &,
              const std::function<void(const NewtonIterate &)> &);
 } // namespace Structure

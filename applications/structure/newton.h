@@ -44,12 +44,12 @@ namespace Structure
   };
 
   /**
-   * Newton's method for one step, from @p u (at entry: the last accepted state)
-   * to @p time. Converged when the residual is below the force tolerance times
-   * the largest of the norms of internal, external and contact forces, and the
-   * last update is below the displacement tolerance times the motion of the
-   * step. Scenes without forces have a floor that scales with the materials and
-   * the size: it makes sense in any units.
+   * Newton's method for one step to @p time, from @p u on; @p u_start is the
+   * last accepted state. Converged when the residual is below the force
+   * tolerance times the largest of the norms of internal, external and contact
+   * forces, and the last update is below the displacement tolerance times the
+   * motion of the step. Scenes without forces have a floor that scales with the
+   * materials and the size: it makes sense in any units.
    */
   template <int dim>
   NewtonResult
@@ -57,6 +57,7 @@ namespace Structure
              const NewtonParameters                           &parameters,
              const LinearSolverParameters                     &linear,
              const double                                      time,
+             const Vector_t                                   &u_start,
              Vector_t                                         &u,
              const std::function<void(const NewtonIterate &)> &watch);
 } // namespace Structure

@@ -316,6 +316,7 @@ namespace Structure
           scene.newton,
           scene.linear,
           new_time,
+          u,
           trial,
           [&](const NewtonIterate &i) {
             std::ostringstream out;
@@ -532,9 +533,16 @@ namespace Structure
           row.emplace_back("rigid:" + body->name + "_moment_" + "xyz"[i],
                            moment[i]);
         if (body->has_dofs())
-          for (unsigned int i = 0; i < dim; ++i)
-            row.emplace_back("rigid:" + body->name + "_motion_" + "xyz"[i],
-                             body -> displacement_of_centre()[i]);
+          {
+            const Tensor<1, dim> moved  = body->displacement_of_centre();
+            const Tensor<1, 3>   turned = body->rotation_vector();
+            for (unsigned int i = 0; i < dim; ++i)
+              row.emplace_back("rigid:" + body->name + "_motion_" + "xyz"[i],
+                               moved[i]);
+            for (unsigned int i = (dim == 2 ? 2 : 0); i < 3; ++i)
+              row.emplace_back("rigid:" + body->name + "_rotation_" + "xyz"[i],
+                               turned[i]);
+          }
       }
     if (model.is_dynamic())
       {

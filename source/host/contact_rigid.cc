@@ -91,21 +91,23 @@ namespace MortarContact
       {
         if (!tool.vertex(p, 0).row.empty())
           continue; // faces of solids point outwards
-        const Facet<dim>    &facet = tool.skin.facets[p].current;
-        const Tensor<1, dim> c     = centre(facet);
-        Tensor<1, dim>       to_blank;
+        // it must face the nearest facet of the blank
+        const Facet<dim>    &facet   = tool.skin.facets[p].current;
+        const Tensor<1, dim> c       = centre(facet);
+        const Facet<dim>    *blank   = nullptr;
         double               nearest = std::numeric_limits<double>::max();
         for (const auto &s : surfaces[0].skin.facets)
           {
-            const Tensor<1, dim> r = centre(s.current) - c;
-            if (r.norm_square() < nearest)
+            const double d = (centre(s.current) - c).norm_square();
+            if (d < nearest)
               {
-                nearest  = r.norm_square();
-                to_blank = r;
+                nearest = d;
+                blank   = &s.current;
               }
           }
         const Tensor<1, dim> w = centre_normal(facet);
-        if (w * to_blank < -judged * w.norm() * to_blank.norm())
+        const Tensor<1, dim> n = centre_normal(*blank);
+        if (w * n > judged * w.norm() * n.norm())
           wrong.push_back(p);
       }
     if (wrong.empty())

@@ -25,7 +25,7 @@ TEST_P(EveryLaw, PressureAndStiffnessAreDerivativesOfTheEnergy)
   const double K = 1000., l = 0.1;
   for (const double d : {1e-4, 0.0029, 0.0059, 0.007, 0.02, 0.026, 0.049, 0.07})
     {
-      const double h    = 1e-4 * d;
+      const double h    = 1e-5 * d;
       const auto   r    = law->evaluate(d, K, l);
       const auto   plus = law->evaluate(d + h, K, l),
                  minus  = law->evaluate(d - h, K, l);

@@ -91,7 +91,8 @@ TEST(Friction, CoefficientFollowsTheSlipRate)
               pressure * (0.1 + 0.3 * std::exp(-0.5)),
               1e-8);
   const auto f =
-    run<2>(sheared_block("0.05*t", "|Friction function = 0.5/(1+p/7)+v", 0.25));
+    run<2>(sheared_block("0.05*t", "|Friction function = 0.5/(1+p/7)+v", 0.25) +
+           section("Steps", "End time = 5"));
   EXPECT_NEAR(f->model.reaction(1)[0], pressure * (0.25 + 0.05), 1e-8);
 }
 

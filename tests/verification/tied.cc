@@ -109,12 +109,13 @@ TEST(Tied, InclinedInterfaceSticksByFriction)
     condition("base", "Body = lower|Boundary ids = 2|y = 0|x = 0") +
     condition("left", "Body = upper|Boundary ids = 3|x = 0") +
     condition("top", "Body = upper|Boundary ids = 3|Type = traction|y = -1") +
-    interface("i",
-              "Secondary = upper: boundary 2|Primary = lower: boundary 3|Law = "
-                         "linear|Stiffness scale = 1e6|Friction coefficient = 1|"
-                         "Characteristic length = 0.1|Initial penetration = ignore|"
-                         "Initial pressure = 1e-3") +
-    solver(1e-9));
+    interface(
+      "i",
+      "Secondary = upper: boundary 2|Primary = lower: boundary 3|Law = "
+                 "linear|Stiffness scale = 1e4|Friction coefficient = 1|Secondary offset = 1e-6|"
+                 "Characteristic length = 0.1|Initial penetration = ignore|"
+                 "Initial pressure = 1e-3") +
+    solver(1e-9, 0.1));
   SymmetricTensor<2, 3> stress;
   stress[1][1] = -1.;
   expect_uniform(*s, stress, 1e-5);
