@@ -540,6 +540,23 @@ TEST(ContactInterface, FrictionRemembersAndItsTangentIsExact)
 }
 
 
+TEST(ContactInterface, WithoutFrictionNothingOfItIsStored)
+{
+  TwoBlocks<3>        blocks(0.02);
+  ContactInterface<3> contact("i", {}, MPI_COMM_WORLD);
+  blocks.add_to(contact);
+  contact.update(blocks.vector(), 1.);
+  contact.commit(1.);
+  for (unsigned int i = 0; i < contact.n_sweeps(); ++i)
+    {
+      const auto &state = contact.sweep(i).state();
+      EXPECT_TRUE(state.elastic_slip.empty() && state.sliding.empty() &&
+                  state.before[0].empty() && state.before[1].empty() &&
+                  state.augmentation.empty() && state.tied.empty());
+    }
+}
+
+
 TEST(ContactInterface, TiesHoldAcrossAGapAndAreInBalance)
 {
   TwoBlocks<3>      blocks(-0.03, 1, true);

@@ -3,6 +3,8 @@
 
 #include <deal.II/grid/grid_tools.h>
 
+#include <geometry/surface_reader.h>
+
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -62,4 +64,62 @@ TEST(MeshFiles, AbaqusHexahedron)
           mesh);
   EXPECT_EQ(mesh.n_active_cells(), 1u);
   EXPECT_NEAR(GridTools::volume(mesh), 8., 1e-13);
+}
+
+
+// A tetrahedron with outward facets: volume 1/6 by the divergence theorem.
+TEST(MeshFiles, SurfacesAreReadFromStlAndAbaqus)
+{
+  const float x[4][3]     = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const int   facet[4][3] = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+  {
+    std::ofstream text("tet.stl");
+    text << "solid tet\n";
+    for (const auto &f : facet)
+      {
+        text << "facet normal 0 0 0\n outer loop\n";
+        for (const int v : f)
+          text << "  vertex " << x[v][0] << " " << x[v][1] << " " << x[v][2]
+               << "\n";
+        text << " endloop\nendfacet\n";
+      }
+    text << "endsolid tet\n";
+    std::ofstream     binary("tet_binary.stl", std::ios::binary);
+    const std::string head(80, ' ');
+    binary.write(head.data(), 80);
+    const std::uint32_t n = 4;
+    binary.write(reinterpret_cast<const char *>(&n), 4);
+    for (const auto &f : facet)
+      {
+        const float zero[3] = {0, 0, 0};
+        binary.write(reinterpret_cast<const char *>(zero), 12);
+        for (const int v : f)
+          binary.write(reinterpret_cast<const char *>(x[v]), 12);
+        binary.write("\0\0", 2);
+      }
+    std::ofstream abaqus("tet.inp");
+    abaqus << "*Heading\n*Node\n";
+    for (int v = 0; v < 4; ++v)
+      abaqus << v + 1 << ", " << x[v][0] << ", " << x[v][1] << ", " << x[v][2]
+             << "\n";
+    abaqus << "5, 1., 1., 0.\n*Element, type=S4R\n1, 1, 2, 5, 3\n";
+  }
+  for (const char *file : {"tet.stl", "tet_binary.stl"})
+    {
+      std::vector<Tensor<1, 3>>              vertices;
+      std::vector<std::vector<unsigned int>> facets;
+      Structure::read_surface<3>(file, vertices, facets);
+      EXPECT_EQ(vertices.size(), 4u) << file;
+      EXPECT_EQ(facets.size(), 4u) << file;
+      double volume = 0.;
+      for (const auto &f : facets)
+        volume += vertices[f[0]] *
+                  cross_product_3d(vertices[f[1]], vertices[f[2]]) / 6.;
+      EXPECT_NEAR(volume, 1. / 6., 1e-7) << file;
+    }
+  std::vector<Tensor<1, 3>>              vertices;
+  std::vector<std::vector<unsigned int>> facets;
+  Structure::read_surface<3>("tet.inp", vertices, facets);
+  ASSERT_EQ(facets.size(), 1u);
+  EXPECT_EQ(facets[0].size(), 4u);
 }
