@@ -18,6 +18,10 @@ namespace MortarContact
     /// means rarer searches, but more candidates and more matrix entries.
     constexpr double margin_share = 0.25;
 
+    /// Obstacles are looked for no farther than this times what a facet
+    /// reaches, also where any depth counts: Newton's method needs a scale.
+    constexpr double out_of_sight = 1e3;
+
     /// A motion may close the gap and penetrate by this share of l more.
     constexpr double safe_share = 0.5;
 
@@ -155,12 +159,6 @@ namespace MortarContact
     for (const unsigned int f : owned)
       last_reach = std::max(last_reach, reach(f) + surface_offset);
 
-    std::vector<Box<dim>> boxes;
-    boxes.reserve(searched_p.size());
-    for (const auto &f : searched_p)
-      boxes.push_back(box_around(f));
-    const BroadPhase<dim> broad_phase(boxes);
-
     pairs.clear();
     if (obstacle != nullptr)
       {
@@ -169,6 +167,11 @@ namespace MortarContact
             pairs.emplace_back(f, 0);
         return;
       }
+    std::vector<Box<dim>> boxes;
+    boxes.reserve(searched_p.size());
+    for (const auto &f : searched_p)
+      boxes.push_back(box_around(f));
+    const BroadPhase<dim> broad_phase(boxes);
     const PairFilter<dim> filter(secondary,
                                  primary,
                                  kernel.options.zero_cosine,
@@ -249,7 +252,6 @@ namespace MortarContact
       return kernel.hit(frame, xi, primary.facets[p]);
     const Tensor<1, dim> x =
       interpolate(frame.facet, shape_values<dim>(frame.facet.n_vertices, xi));
-
     const auto surface = obstacle->meet(x, frame.normal, range);
     if (!surface)
       return {};
@@ -445,7 +447,7 @@ namespace MortarContact
                               const std::vector<unsigned int> &among,
                               const double                     deepest) const
   {
-    const double         far = 1e3 * far_of(frame);
+    const double         far = out_of_sight * far_of(frame);
     std::optional<Depth> nearest;
     // Back faces of the primary that the point has passed, see below.
     double nearest_back = std::numeric_limits<double>::max();
