@@ -18,11 +18,22 @@ run --output "$folder/whole"
 run --output "$folder/parts" --set "Steps/Maximum steps=3"
 [ "$(wc -l < "$folder/parts/history.csv")" = 4 ] || fail "3 steps were asked for"
 run --restart "$folder/parts" --output "$folder/parts"
-"$checker" "$folder/parts/summary.json" "$folder/whole/summary.json" 1e-12 ||
+# parallel MUMPS adds up what other ranks send as it arrives, so that two runs
+# of the same input differ in round-off times condition (1.8e-12 once seen on a
+# busy machine); one rank is exact, below
+"$checker" "$folder/parts/summary.json" "$folder/whole/summary.json" 1e-10 ||
   fail "the continued run differs"
 cut -d, -f1-3,7- "$folder/whole/history.csv" | cut -d, -f1-2 > "$folder/a"
 cut -d, -f1-3,7- "$folder/parts/history.csv" | cut -d, -f1-2 > "$folder/b"
 cmp "$folder/a" "$folder/b" || fail "history.csv differs"
+
+# on one rank every digit is kept
+run_alone() { "$mpiexec" -n 1 "$driver" "$file" --quiet "$@"; }
+run_alone --output "$folder/whole-1"
+run_alone --output "$folder/parts-1" --set "Steps/Maximum steps=3"
+run_alone --restart "$folder/parts-1" --output "$folder/parts-1"
+"$checker" "$folder/parts-1/summary.json" "$folder/whole-1/summary.json" 0 ||
+  fail "the continued run on one rank differs"
 
 # no convergence: code 2, the last good state is saved, and can be continued
 code=0
