@@ -3,9 +3,6 @@
 #define mortar_contact_applications_mesh_parameters_h
 
 #include <deal.II/base/parameter_handler.h>
-#include <deal.II/base/point.h>
-
-#include <deal.II/grid/tria.h>
 
 #include <string>
 #include <vector>
@@ -41,15 +38,11 @@ namespace Structure
     unsigned int        local_refinements = 0;
     bool                simplices         = false;
     double              distortion        = 0.;
-    std::string         map; ///< Formulas of the coordinates.
+    std::string         map;          ///< Formulas of the coordinates.
+    std::string         boundary_ids; ///< Formula.
     std::vector<double> rotation_axis  = {0., 0., 1.}, move;
     double              rotation_angle = 0.; ///< [deg]
   };
-
-  /// Make the mesh. @throw ExcMessage on settings that make no mesh.
-  template <int dim>
-  void
-  make_mesh(const MeshParameters &parameters, Triangulation<dim> &mesh);
 } // namespace Structure
 
 #endif

@@ -3,6 +3,7 @@
 
 #include "../geometry/surface_reader.h"
 #include "expression.h"
+#include "numbers_of.h"
 
 #include <mortar_contact/geometry/smooth_facets.h>
 
@@ -19,13 +20,6 @@ namespace Structure
   {
     /// Formulas are differentiated over this share of the scene.
     constexpr double formula_step = 1e-4;
-
-    std::vector<double>
-    numbers_in(ParameterHandler &prm, const std::string &entry)
-    {
-      return Utilities::string_to_double(
-        Utilities::split_string_list(prm.get(entry)));
-    }
 
     template <int dim>
     Tensor<1, dim>
@@ -183,18 +177,18 @@ namespace Structure
     tube_radius   = prm.get_double("Tube radius");
     length        = prm.get_double("Length");
     half_angle    = prm.get_double("Half angle");
-    sizes         = numbers_in(prm, "Sizes");
+    sizes         = numbers_of(prm.get("Sizes"));
     formula       = prm.get("Formula");
     file          = prm.get("File");
     scale         = prm.get_double("Scale");
     smooth        = prm.get("Smooth") == "yes";
     crease_angle  = prm.get_double("Crease angle");
-    position      = numbers_in(prm, "Position");
-    axis          = numbers_in(prm, "Axis");
+    position      = numbers_of(prm.get("Position"));
+    axis          = numbers_of(prm.get("Axis"));
     translation   = {{prm.get("Move x"), prm.get("Move y"), prm.get("Move z")}};
-    rotation_axis = numbers_in(prm, "Rotation axis");
+    rotation_axis = numbers_of(prm.get("Rotation axis"));
     rotation_angle  = prm.get("Rotation angle");
-    rotation_centre = numbers_in(prm, "Rotation centre");
+    rotation_centre = numbers_of(prm.get("Rotation centre"));
     free_motions    = Utilities::split_string_list(prm.get("Free motions"));
     for (unsigned int i = 0; i < 3; ++i)
       {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "scene.h"
 
+#include "numbers_of.h"
+
 #include <deal.II/base/patterns.h>
 #include <deal.II/base/utilities.h>
 
@@ -14,12 +16,6 @@ namespace Structure
 {
   namespace
   {
-    std::vector<double>
-    numbers_of(const std::string &list)
-    {
-      return Utilities::string_to_double(Utilities::split_string_list(list));
-    }
-
     std::string
     join(const std::vector<std::string> &names)
     {

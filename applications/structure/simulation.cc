@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "simulation.h"
 
+#include "../geometry/mesh_maker.h"
+
 #include <deal.II/base/utilities.h>
 
 #include <boost/archive/binary_iarchive.hpp>

@@ -121,7 +121,8 @@ namespace MortarContact
   PrimaryPoint<dim>
   PairKernel<dim>::primary_point(const ContactFacet<dim> &primary,
                                  const Facet<dim>        *before,
-                                 const PlanePoint<dim>   &eta) const
+                                 const PlanePoint<dim>   &eta,
+                                 const bool               is_open) const
   {
     constexpr unsigned int T = dim - 1;
     PrimaryPoint<dim>      p;
@@ -133,8 +134,11 @@ namespace MortarContact
     p.length         = dot<dim>(p.N, primary.length);
     p.surface_offset = primary.surface_offset;
     for (unsigned int b = 0; b < T; ++b)
+      p.tangents[b] = interpolate(primary.current, p.dN[b]);
+    if (is_open)
+      return p;
+    for (unsigned int b = 0; b < T; ++b)
       {
-        p.tangents[b]    = interpolate(primary.current, p.dN[b]);
         p.dcompliance[b] = dot<dim>(p.dN[b], primary.compliance);
         p.dlength[b]     = dot<dim>(p.dN[b], primary.length);
       }
@@ -311,8 +315,9 @@ namespace MortarContact
         dot<dim>(N, frame.height) -
         dot<dim>(shape_values<dim>(n_p, eta), projected.height) +
         secondary.surface_offset + primary.surface_offset +
-        dot<dim>(N, state.augmentation);
-      if (with_tangent && depth > 0.)
+        std::max(0., dot<dim>(N, state.augmentation));
+      const bool is_open = !(depth > 0.);
+      if (with_tangent && !is_open)
         {
           if (!vertex_motion)
             vertex_motion.emplace(frame, projected);
@@ -332,18 +337,18 @@ namespace MortarContact
           const auto &dy_s = vertex_motion->dy[0];
           for (unsigned int a = 0; a < n_s; ++a)
             for (unsigned int c = 0; c < dim - 1; ++c)
-              add(-N[a], dy_s[a][c], dy[c]);
+              add_secondary(-N[a], dy_s[a][c], dy[c]);
           const Tensor<2, dim - 1> J_inv = invert(J);
           at.moves                       = true;
-          at.dxi                         = {};
           for (unsigned int c = 0; c < dim - 1; ++c)
-            for (unsigned int r = 0; r < dim - 1; ++r)
-              add(J_inv[c][r], dy[r], at.dxi[c]);
-
+            {
+              at.dxi[c] = scaled(J_inv[c][0], dy[0]);
+              for (unsigned int r = 1; r < dim - 1; ++r)
+                add(J_inv[c][r], dy[r], at.dxi[c]);
+            }
           // W = w A J0 / J_y:
           // dW = w J0/J_y dA + W (dJ0/J0 - dJ_y/J_y)
-          at.dweight = {};
-          add(ratio, darea, at.dweight);
+          at.dweight    = scaled(ratio, darea);
           const auto dN = shape_gradients<dim>(n_s, xi);
           for (unsigned int a = 0; a < n_s; ++a)
             for (unsigned int r = 0; r < dim - 1; ++r)
@@ -351,7 +356,7 @@ namespace MortarContact
                 double g = 0.;
                 for (unsigned int c = 0; c < dim - 1; ++c)
                   g += dN[c][a] * J_inv[c][r];
-                add(-at.weight * g, dy_s[a][r], at.dweight);
+                add_secondary(-at.weight * g, dy_s[a][r], at.dweight);
               }
           if constexpr (dim == 3)
             if (n_s == 4)
@@ -385,7 +390,10 @@ namespace MortarContact
       point.add_point(frame,
                       secondary,
                       state,
-                      primary_point(primary, primary_before, eta),
+                      primary_point(primary,
+                                    primary_before,
+                                    eta,
+                                    is_open && options.smoothing == 0.),
                       at,
                       with_tangent,
                       sums,

@@ -219,13 +219,12 @@ namespace MortarContact
         }
 
     // Step 4: the change of the pressure.
-    k.dsigma         = {};
     double dsigma_dd = k.facing * r.stiffness;
     if (smooth > 0. && std::abs(d) < smooth)
       dsigma_dd = std::max(dsigma_dd,
                            options.tangential_scale * stiffness.modulus /
                              stiffness.length * (d + smooth) / (2. * smooth));
-    add(dsigma_dd, k.ddepth, k.dsigma);
+    k.dsigma = scaled(dsigma_dd, k.ddepth);
 
     // p = K phi(d/l): dp/dK = p/K, dp/dl = -(d/l) dp/dd
     const bool   series = options.stiffness_side == StiffnessSide::series;
@@ -302,12 +301,10 @@ namespace MortarContact
         for (unsigned int i = 0; i < dim; ++i)
           a_dn[v * dim + i] = a_dn_v[i];
       }
-    PairVector<dim> right_of_g = {}, right_of_adn = {};
-    add(W, k.dsigma, right_of_g);
+    PairVector<dim> right_of_g = scaled(W, k.dsigma);
     if (W_sigma != 0.)
       {
-        add(-W_sigma, a_dn, right_of_g);
-        add(-W_sigma, k.ddistance, right_of_adn);
+        add_secondary(-W_sigma, a_dn, right_of_g);
         if (point.moves)
           add(sigma, point.dweight, right_of_g);
         for (unsigned int b = 0; b < T; ++b)
@@ -316,17 +313,22 @@ namespace MortarContact
             for (unsigned int v = 0; v < n_p; ++v)
               for (unsigned int i = 0; i < dim; ++i)
                 a_dt[P + v * dim + i] = primary.dN[b][v] * a[i];
-            PairVector<dim> right_of_adt = {}, right_of_deta = {};
-            add(-W_sigma, k.deta[b], right_of_adt);
-            add(-W_sigma, a_dt, right_of_deta);
+            add_outer(a_dt, scaled(-W_sigma, k.deta[b]), block.tangent);
+            PairVector<dim> right_of_deta = scaled(-W_sigma, a_dt);
+            bool            is_curved     = false;
             for (unsigned int c = 0; c < T; ++c)
               {
                 const double a_second = a * primary.second[b][c];
                 if (a_second != 0.)
-                  add(-W_sigma * a_second, k.deta[c], right_of_deta);
+                  {
+                    is_curved = true;
+                    add(-W_sigma * a_second, k.deta[c], right_of_deta);
+                  }
               }
-            add_outer(a_dt, right_of_adt, block.tangent);
-            add_outer(deta_fixed[b], right_of_deta, block.tangent);
+            if (is_curved)
+              add_outer(deta_fixed[b], right_of_deta, block.tangent);
+            else
+              add_outer_by_primary(deta_fixed[b], right_of_deta, block.tangent);
           }
         if (point.moves)
           for (unsigned int c = 0; c < T; ++c)
@@ -339,7 +341,7 @@ namespace MortarContact
             }
         sums.across += W_sigma * distance * a;
         sums.along += W_sigma * distance;
-        add_outer(a_dn, right_of_adn, block.tangent);
+        add_outer(a_dn, scaled(-W_sigma, k.ddistance), block.tangent);
       }
     add_outer(g, right_of_g, block.tangent);
 

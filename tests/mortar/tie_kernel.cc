@@ -132,6 +132,47 @@ TEST(TieKernel, TangentOfDamageIsTheDerivativeOfTheForces)
 }
 
 
+TEST(TieKernel, OffsetTieTransfersTheMomentOfAnEccentricPull)
+{
+  // THEORY T48: what pulls at the far side of the gap acts on the secondary as
+  // a force on its own surface with the moment force times arm
+  Facet<3> s, p;
+  s.n_vertices = p.n_vertices = 4;
+  const double gap            = 0.5;
+  for (unsigned int a = 0; a < 4; ++a)
+    {
+      const double x = (a == 1 || a == 2) ? 1. : 0., y = (a > 1) ? 1. : 0.;
+      s.x[a] = Tensor<1, 3>({x, y, 0.});
+      p.x[a] = Tensor<1, 3>({y, x, gap}); // faces down
+    }
+  TiePoint<3> tie;
+  tie.xi        = PlanePoint<3>({0.3, 0.4});
+  tie.eta       = PlanePoint<3>({0.4, 0.3});
+  tie.weight    = 0.7;
+  tie.stiffness = 100.;
+  tie.apart     = apart(SecondaryFrame<3>(s), p, tie.xi, tie.eta);
+  const Tensor<1, 3> pull({0.01, 0.02, 0.003});
+  for (unsigned int a = 0; a < 4; ++a)
+    p.x[a] += pull;
+  const PairBlock<3> block = evaluate(tie, TieLaw<3>({}), s, p, false);
+
+  const Tensor<1, 3> at({0.3, 0.4, 0.});
+  Tensor<1, 3>       force, moment;
+  for (unsigned int a = 0; a < 4; ++a)
+    {
+      Tensor<1, 3> f;
+      for (unsigned int i = 0; i < 3; ++i)
+        f[i] = -block.residual[3 * a + i];
+      force += f;
+      moment += cross_product_3d(s.x[a] - at, f);
+    }
+  EXPECT_LT((force - tie.weight * tie.stiffness * pull).norm(), 1e-12);
+  const Tensor<1, 3> arm = pull + Tensor<1, 3>({0., 0., gap});
+  EXPECT_LT((moment - cross_product_3d(arm, force)).norm(),
+            1e-12 * force.norm());
+}
+
+
 TEST(TieKernel, ForcesTurnWithTheFacets)
 {
   Pair3d            pair(4, 3, 0.04, 0.2, 2);

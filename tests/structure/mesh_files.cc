@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <geometry/mesh_parameters.h>
+#include <geometry/mesh_maker.h>
 
 #include <deal.II/grid/grid_tools.h>
 

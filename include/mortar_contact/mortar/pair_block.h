@@ -61,6 +61,28 @@ namespace MortarContact
         sum[i] += factor * v[i];
     }
 
+    /// factor v
+    template <std::size_t n>
+    inline std::array<double, n>
+    scaled(const double factor, const std::array<double, n> &v)
+    {
+      std::array<double, n> result;
+      for (std::size_t i = 0; i < n; ++i)
+        result[i] = factor * v[i];
+      return result;
+    }
+
+    /// sum += factor v, for v that is zero on the primary.
+    template <std::size_t n>
+    inline void
+    add_secondary(const double                 factor,
+                  const std::array<double, n> &v,
+                  std::array<double, n>       &sum)
+    {
+      for (std::size_t i = 0; i < n / 2; ++i)
+        sum[i] += factor * v[i];
+    }
+
     /// sum += left right^T
     template <std::size_t n>
     inline void
@@ -73,6 +95,18 @@ namespace MortarContact
           add(left[i], right, sum[i]);
     }
 
+    /// The same for a right vector that is zero on the secondary.
+    template <std::size_t n>
+    inline void
+    add_outer_by_primary(const std::array<double, n>          &left,
+                         const std::array<double, n>          &right,
+                         std::array<std::array<double, n>, n> &sum)
+    {
+      for (std::size_t i = 0; i < n; ++i)
+        if (left[i] != 0.)
+          for (std::size_t j = n / 2; j < n; ++j)
+            sum[i][j] += left[i] * right[j];
+    }
     /// Replace a matrix by its symmetric part.
     template <std::size_t n>
     inline void

@@ -102,10 +102,12 @@ namespace MortarContact
                    const ContactFacet<dim>   &primary) const;
 
     /// The surface of a facet at @p eta.
+    /// @param is_open The point carries nothing: its derivatives are left out.
     PrimaryPoint<dim>
     primary_point(const ContactFacet<dim> &primary,
                   const Facet<dim>        *before,
-                  const PlanePoint<dim>   &eta) const;
+                  const PlanePoint<dim>   &eta,
+                  const bool               is_open = false) const;
 
     const PointKernel<dim> point;
     const KernelOptions   &options;

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef mortar_contact_structure_numbers_of_h
+#define mortar_contact_structure_numbers_of_h
+
+#include <deal.II/base/utilities.h>
+
+#include <string>
+#include <vector>
+
+namespace Structure
+{
+  /// The numbers of a list that its pattern has checked already.
+  inline std::vector<double>
+  numbers_of(const std::string &list)
+  {
+    return dealii::Utilities::string_to_double(
+      dealii::Utilities::split_string_list(list));
+  }
+} // namespace Structure
+
+#endif
