@@ -11,9 +11,11 @@
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <random>
 
 namespace Structure
@@ -139,16 +141,16 @@ namespace Structure
       mesh.set_all_manifold_ids(1);
     }
 
-    template <int dim>
+    template <int dim, int spacedim>
     void
-    read_file(const MeshParameters &m, Triangulation<dim> &mesh)
+    read_file(const MeshParameters &m, Triangulation<dim, spacedim> &mesh)
     {
       std::ifstream in(m.file);
       AssertThrow(in,
                   ExcMessage("'Mesh/File' is '" + m.file +
                              "'; this file cannot be opened."));
       const std::string ending = m.file.substr(m.file.find_last_of('.') + 1);
-      GridIn<dim>       reader;
+      GridIn<dim, spacedim> reader;
       reader.attach_triangulation(mesh);
       try
         {
@@ -343,12 +345,13 @@ namespace Structure
     }
 
     /// Boundary ids by place, after everything else.
-    template <int dim>
+    template <int dim, int spacedim>
     void
-    set_boundary_ids(const MeshParameters &m, Triangulation<dim> &mesh)
+    set_boundary_ids(const MeshParameters         &m,
+                     Triangulation<dim, spacedim> &mesh)
     {
-      Expression<dim> formula(m.boundary_ids, "Mesh/Boundary id formula");
-      bool            any = false;
+      Expression<spacedim> formula(m.boundary_ids, "Mesh/Boundary id formula");
+      bool                 any = false;
       for (const auto &cell : mesh.active_cell_iterators())
         for (const auto &face : cell->face_iterators())
           if (face->at_boundary())
@@ -380,6 +383,123 @@ namespace Structure
       set_boundary_ids(m, mesh);
   }
 
+
+
+  void
+  make_shell_mesh(const MeshParameters &m, Triangulation<2, 3> &mesh)
+  {
+    AssertThrow(m.type == "box" || m.type == "file",
+                ExcMessage("'Mesh/Type' is '" + m.type +
+                           "'; expected box (with Map) or file for a shell."));
+    AssertThrow(m.local_refinements == 0,
+                ExcMessage("'Mesh/Local refinements' is " +
+                           std::to_string(m.local_refinements) +
+                           "; expected 0 for a shell."));
+    AssertThrow(m.type == "box" ||
+                  (m.refinements == 0 && m.map.empty() && !m.simplices &&
+                   m.distortion == 0. && !m.merges),
+                ExcMessage("'Mesh/Type' is 'file': 'Refinements', 'Map', "
+                           "'Simplices', 'Distortion' and 'Merge vertices' do "
+                           "not act on the file of a shell; remove them."));
+    if (m.type == "file")
+      {
+        read_file(m, mesh);
+        GridTools::scale(m.scale, mesh);
+      }
+    else
+      {
+        // Step 1: the plane mesh, and where its vertices go.
+        MeshParameters plane = m;
+        plane.map.clear();
+        plane.move.clear();
+        plane.boundary_ids.clear();
+        plane.rotation_angle = 0.;
+        Triangulation<2> flat;
+        make_mesh(plane, flat);
+        std::vector<std::string> components =
+          Utilities::split_string_list(m.map.empty() ? "x; y; 0" : m.map, ';');
+        AssertThrow(components.size() == 3,
+                    ExcMessage("'Mesh/Map' has " +
+                               std::to_string(components.size()) +
+                               " components; expected 3, formulas in x and y, "
+                               "separated by semicolons."));
+        std::vector<Expression<2>> formulas;
+        for (const std::string &c : components)
+          formulas.emplace_back(c, "Mesh/Map");
+        std::vector<Point<3>> vertices;
+        for (const Point<2> &x : flat.get_vertices())
+          vertices.emplace_back(formulas[0].value(x, 0.),
+                                formulas[1].value(x, 0.),
+                                formulas[2].value(x, 0.));
+        std::vector<CellData<2>> cells;
+        SubCellData              edges;
+        for (const auto &cell : flat.active_cell_iterators())
+          {
+            CellData<2> data(cell->n_vertices());
+            for (const unsigned int v : cell->vertex_indices())
+              data.vertices[v] = cell->vertex_index(v);
+            cells.push_back(data);
+            for (const auto &face : cell->face_iterators())
+              if (face->at_boundary())
+                {
+                  CellData<1> edge;
+                  edge.vertices    = {face->vertex_index(0),
+                                      face->vertex_index(1)};
+                  edge.boundary_id = face->boundary_id();
+                  edges.boundary_lines.push_back(edge);
+                }
+          }
+
+        // Step 2: closed, if wanted: edges that meet are not on the boundary.
+        if (m.merges)
+          {
+            double size = 0.;
+            for (const Point<3> &x : vertices)
+              size = std::max(size, x.distance(vertices[0]));
+            std::vector<unsigned int> considered;
+            GridTools::delete_duplicated_vertices(
+              vertices, cells, edges, considered, 1e-9 * size);
+            std::map<std::pair<unsigned int, unsigned int>, unsigned int> count;
+            const auto key = [](const unsigned int a, const unsigned int b) {
+              return std::make_pair(std::min(a, b), std::max(a, b));
+            };
+            for (const CellData<2> &cell : cells)
+              {
+                std::vector<unsigned int> v = cell.vertices;
+                if (v.size() == 4)
+                  std::swap(v[2], v[3]);
+                for (unsigned int k = 0; k < v.size(); ++k)
+                  ++count[key(v[k], v[(k + 1) % v.size()])];
+              }
+            auto &lines = edges.boundary_lines;
+            lines.erase(std::remove_if(lines.begin(),
+                                       lines.end(),
+                                       [&](const CellData<1> &line) {
+                                         return count[key(line.vertices[0],
+                                                          line.vertices[1])] >
+                                                1;
+                                       }),
+                        lines.end());
+          }
+        mesh.create_triangulation(vertices, cells, edges);
+      }
+
+    // Step 3: in its place.
+    if (m.rotation_angle != 0.)
+      {
+        const Tensor<1, 3> axis = point_of<3>(m.rotation_axis, "Rotation axis");
+        AssertThrow(axis.norm() > 0.,
+                    ExcMessage("'Mesh/Rotation axis' is 0, 0, 0; expected a "
+                               "direction."));
+        GridTools::rotate(axis / axis.norm(),
+                          numbers::PI / 180. * m.rotation_angle,
+                          mesh);
+      }
+    if (!m.move.empty())
+      GridTools::shift(Tensor<1, 3>(point_of<3>(m.move, "Move")), mesh);
+    if (!m.boundary_ids.empty())
+      set_boundary_ids(m, mesh);
+  }
 
 
   template void

@@ -12,6 +12,14 @@ namespace Structure
   template <int dim>
   void
   make_mesh(const MeshParameters &parameters, Triangulation<dim> &mesh);
+
+  /**
+   * Make the mesh of a shell: a box of two dimensions (Cells, Lower and Upper
+   * corner have two numbers) that Map takes to space (three formulas in x, y;
+   * without it the plane z = 0), or a file with surface elements.
+   */
+  void
+  make_shell_mesh(const MeshParameters &parameters, Triangulation<2, 3> &mesh);
 } // namespace Structure
 
 #endif

@@ -98,6 +98,11 @@ namespace Structure
                       "0.0",
                       Patterns::Double(),
                       "About the axis (3d), the origin (2d) [degree].");
+    prm.declare_entry("Merge vertices",
+                      "false",
+                      Patterns::Bool(),
+                      "Of a shell: vertices at one place after Map are one, "
+                      "which closes rings and joins sheets.");
     prm.declare_entry(
       "Boundary id formula",
       "",
@@ -135,6 +140,7 @@ namespace Structure
     rotation_axis     = numbers_of(prm.get("Rotation axis"));
     map               = prm.get("Map");
     boundary_ids      = prm.get("Boundary id formula");
+    merges            = prm.get_bool("Merge vertices");
     rotation_angle    = prm.get_double("Rotation angle");
     move              = numbers_of(prm.get("Move"));
     AssertThrow(type != "file" || !file.empty(),

@@ -38,8 +38,9 @@ namespace Structure
     unsigned int        local_refinements = 0;
     bool                simplices         = false;
     double              distortion        = 0.;
-    std::string         map;          ///< Formulas of the coordinates.
-    std::string         boundary_ids; ///< Formula.
+    std::string         map;            ///< Formulas of the coordinates.
+    bool                merges = false; ///< Vertices at one place.
+    std::string         boundary_ids;   ///< Formula.
     std::vector<double> rotation_axis  = {0., 0., 1.}, move;
     double              rotation_angle = 0.; ///< [deg]
   };

@@ -2,64 +2,209 @@
 #ifndef mortar_contact_structure_body_h
 #define mortar_contact_structure_body_h
 
-#include "material.h"
+#include "expression.h"
 
-#include <mortar_contact/host/dof_numbering.h>
+#include <mortar_contact/host/contact_interface.h>
 
-#include <deal.II/base/quadrature.h>
+#include <deal.II/base/types.h>
 
-#include <deal.II/distributed/shared_tria.h>
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
 
-#include <deal.II/dofs/dof_handler.h>
-
-#include <deal.II/fe/fe_system.h>
-#include <deal.II/fe/mapping.h>
-
-#include <memory>
+#include <array>
+#include <functional>
+#include <set>
 #include <string>
+#include <vector>
 
 namespace Structure
 {
+  using namespace dealii;
+
+  /// A load on a body, with its formulas.
+  template <int dim>
+  struct Load
+  {
+    enum class Type
+    {
+      body_force, ///< Dead, per undeformed volume.
+      traction,   ///< Dead, per undeformed area (shells' edges: length).
+      pressure    ///< Follows the normal, positive pushes.
+    };
+    Type                         type;
+    std::set<types::boundary_id> boundaries; ///< For the last two,
+    bool                         on_surface =
+      false; ///< or the surface of a shell; pressure on its top.
+    std::vector<Expression<dim>> formulas;
+    std::array<int, dim>         of_component; ///< -1: none.
+  };
+
+  /// A dof of a cell, for fields that are given by formulas.
+  template <int dim>
+  struct DoFPlace
+  {
+    Point<dim> x; ///< Undeformed place of its node.
+    /// Displacement component; those of shells' directors count from dim.
+    unsigned int component;
+    /// What turns with the body: x, or the director times its scale.
+    Tensor<1, dim> arm;
+  };
+
+  /// A node on a part of the boundary.
+  template <int dim>
+  struct BoundaryNode
+  {
+    std::array<types::global_dof_index, dim> dofs; ///< Of the model.
+    Point<dim>                               x;
+    Tensor<1, dim>                           normal; ///< Out of the face.
+    bool                                     has_director = false;
+    std::array<types::global_dof_index, dim> director_dofs;
+  };
+
   /**
-   * A deformable solid: its mesh (hexahedra or tetrahedra; quadrilaterals or
-   * triangles in plane strain), its finite element and its material. Each body
-   * has a DoFHandler of its own; numbering() gives the numbers of its dofs in
-   * the model.
+   * What deforms: a solid or a shell with its mesh, elements and material. Each
+   * body numbers its dofs itself; numbering gives their numbers in the model.
+   * Cells of this rank are counted from 0.
    */
   template <int dim>
   class Body
   {
   public:
-    /**
-     * @param mesh   The coarse mesh, with ids and manifolds set. Cells are
-     *               dealt to the ranks in slices along the longest direction.
-     * @param degree Of the displacements, 1 or 2.
-     * @param mean_dilatation Replace J by the cell's mean in the volumetric
-     *               energy (Q1P0): no locking for nearly incompressible solids.
-     */
-    Body(const std::string        &name,
-         const Triangulation<dim> &mesh,
-         std::unique_ptr<Material> material,
-         const unsigned int        degree,
-         const bool                mean_dilatation,
-         const MPI_Comm            communicator);
+    explicit Body(const std::string &name)
+      : name(name)
+    {}
 
-    const std::string                    name;
-    const std::unique_ptr<Material>      material;
-    const bool                           mean_dilatation;
-    parallel::shared::Triangulation<dim> triangulation;
-    std::unique_ptr<Mapping<dim>>        mapping;
-    std::unique_ptr<FESystem<dim>>       fe;
-    std::unique_ptr<Quadrature<dim>>     quadrature;
-    std::unique_ptr<Quadrature<dim - 1>> face_quadrature;
-    DoFHandler<dim>                      dof_handler;
-    MortarContact::DoFNumbering          numbering; ///< Set by the model.
+    virtual ~Body() = default;
+
+    const std::string           name;
+    MortarContact::DoFNumbering numbering; ///< Set by the model.
 
     /// Dead load per undeformed volume, expressions of x, y, z, t; empty: none.
     std::string body_force;
 
     /// Velocity at the start, expressions of x, y, z; empty: at rest.
     std::string initial_velocity;
+
+    virtual types::global_dof_index
+    n_dofs() const = 0;
+
+    virtual types::global_dof_index
+    n_owned_dofs() const = 0;
+
+    virtual unsigned int
+    n_dofs_per_cell() const = 0;
+
+    /// Of all ranks.
+    virtual types::global_dof_index
+    n_cells() const = 0;
+
+    /// For the log: ", mean dilatation" and the like.
+    virtual std::string
+    description() const = 0;
+
+    /// Shear modulus [Pa].
+    virtual double
+    shear_modulus() const = 0;
+
+    /// Whether strains are small.
+    virtual bool
+    is_linear() const = 0;
+
+    /// Whether evaluate() looks at the iterate before.
+    virtual bool
+    uses_iterates() const
+    {
+      return false;
+    }
+
+    virtual std::vector<types::boundary_id>
+    boundary_ids() const = 0;
+
+    /// Undeformed vertices.
+    virtual const std::vector<Point<dim>> &
+    vertices() const = 0;
+
+    /// Hanging nodes and ties within the body, in its own numbering.
+    virtual void
+    add_constraints(AffineConstraints<double> &constraints) const = 0;
+
+    virtual unsigned int
+    n_local_cells() const = 0;
+
+    /// Dofs of a cell in the model's numbering.
+    virtual void
+    dofs_of(const unsigned int                    cell,
+            std::vector<types::global_dof_index> &dofs) const = 0;
+
+    /// The cell in a message.
+    virtual std::string
+    name_of(const unsigned int cell) const = 0;
+
+    /**
+     * Internal forces and tangent of a cell.
+     * @param previous Null, or the values one iterate before.
+     * @return Nothing is valid if this is false: the cell is inside out.
+     */
+    virtual bool
+    evaluate(const unsigned int    cell,
+             const Vector<double> &u,
+             const Vector<double> *previous,
+             const bool            with_tangent,
+             Vector<double>       &forces,
+             FullMatrix<double>   &tangent) = 0;
+
+    /// Strain energy of a cell [J].
+    virtual double
+    energy(const unsigned int cell, const Vector<double> &u) = 0;
+
+    /// Consistent mass matrix of a cell [kg].
+    virtual void
+    mass(const unsigned int cell, FullMatrix<double> &matrix) = 0;
+
+    /// Add the forces of a load on a cell, and take their derivative from the
+    /// tangent (if it is not empty).
+    virtual void
+    add_load(const unsigned int    cell,
+             Load<dim>            &load,
+             const Vector<double> &u,
+             const double          time,
+             Vector<double>       &forces,
+             FullMatrix<double>   &tangent) = 0;
+
+    /// Component of a dof of a cell, see DoFPlace.
+    virtual unsigned int
+    component_of(const unsigned int dof) const = 0;
+
+    virtual DoFPlace<dim>
+    place_of(const unsigned int cell, const unsigned int dof) const = 0;
+
+    /// Call @p visit for the nodes of all faces with one of the ids (of all
+    /// cells this rank knows); nodes of several faces come several times.
+    virtual void
+    visit_boundary_nodes(
+      const std::set<types::boundary_id>                   &ids,
+      const std::function<void(const BoundaryNode<dim> &)> &visit) const = 0;
+
+    /// The node nearest to a point; without a normal.
+    virtual BoundaryNode<dim>
+    nearest_node(const Point<dim> &x) const = 0;
+
+    /// Add faces to a side of a contact interface.
+    virtual void
+    add_to(MortarContact::ContactInterface<dim> &interface,
+           const bool                            secondary,
+           const MortarContact::FaceSelection   &faces) const = 0;
+
+    /// Values of the dofs of a local cell.
+    using ValuesOfCell =
+      std::function<const Vector<double> &(const unsigned int)>;
+
+    /// Write displacements and stresses to a VTU file.
+    virtual void
+    write(const ValuesOfCell &values_of_cell,
+          const std::string  &file,
+          const MPI_Comm      communicator) = 0;
   };
 } // namespace Structure
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "element.h"
 
+#include "solid_body.h"
+
 namespace Structure
 {
   template <int dim>
@@ -35,7 +37,7 @@ namespace Structure
 
 
   template <int dim>
-  Element<dim>::Element(const Body<dim> &body)
+  Element<dim>::Element(const SolidBody<dim> &body)
     : body(body)
     , fe_values(*body.mapping,
                 *body.fe,

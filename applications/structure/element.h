@@ -2,7 +2,9 @@
 #ifndef mortar_contact_structure_element_h
 #define mortar_contact_structure_element_h
 
-#include "body.h"
+#include <deal.II/base/symmetric_tensor.h>
+
+#include <deal.II/dofs/dof_handler.h>
 
 #include <deal.II/fe/fe_values.h>
 
@@ -13,6 +15,11 @@
 
 namespace Structure
 {
+  using namespace dealii;
+
+  template <int dim>
+  class SolidBody;
+
   /// Means over one cell, for output.
   struct CellState
   {
@@ -32,7 +39,7 @@ namespace Structure
   class Element
   {
   public:
-    explicit Element(const Body<dim> &body);
+    explicit Element(const SolidBody<dim> &body);
 
     /// @return Nothing is valid if this is false: det F <= 0 at some point.
     bool
@@ -55,7 +62,7 @@ namespace Structure
     }
 
   private:
-    const Body<dim>          &body;
+    const SolidBody<dim>     &body;
     FEValues<dim>             fe_values;
     std::vector<unsigned int> component; ///< By dof of the cell.
     CellState                 cell_state;

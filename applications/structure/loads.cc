@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "loads.h"
 
-#include <deal.II/fe/fe_values.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -14,29 +12,18 @@ namespace Structure
     /// Conditions of one node whose directions differ by less than this are the
     /// same condition (a unit vector's rest after elimination).
     constexpr double same_direction = 1e-6;
-
-    /// Whether a support point, @p p on the reference cell, lies on a face: on
-    /// the plane (line) through the face's vertices on the reference cell.
-    template <int dim>
-    bool
-    is_on_face(const typename DoFHandler<dim>::active_cell_iterator &cell,
-               const unsigned int                                    f,
-               const Point<dim>                                     &p)
-    {
-      std::vector<Point<dim>> corners;
-      for (const unsigned int v : cell->vertex_indices())
-        for (const unsigned int w : cell->face(f)->vertex_indices())
-          if (cell->vertex_index(v) == cell->face(f)->vertex_index(w))
-            corners.push_back(cell->reference_cell().template vertex<dim>(v));
-      Tensor<1, dim> normal;
-      if constexpr (dim == 2)
-        normal = cross_product_2d(corners[1] - corners[0]);
-      else
-        normal =
-          cross_product_3d(corners[1] - corners[0], corners[2] - corners[0]);
-      return std::abs(normal * (p - corners[0])) < 1e-10;
-    }
   } // namespace
+
+
+  template <int dim>
+  Point<dim>
+  point_of(const std::vector<double> &coordinates)
+  {
+    Point<dim> x;
+    for (unsigned int i = 0; i < dim && i < coordinates.size(); ++i)
+      x[i] = coordinates[i];
+    return x;
+  }
 
 
   template <int dim>
@@ -67,84 +54,57 @@ namespace Structure
                                         "/" + "xyz"[i]);
               }
 
+        const auto add_row =
+          [&](const std::array<types::global_dof_index, dim> &dofs,
+              const Point<dim>                               &x,
+              const Tensor<1, dim>                           &a,
+              const int                                       formula) {
+            const auto inserted =
+              node_of_dof.try_emplace(dofs[0], nodes.size());
+            if (inserted.second)
+              nodes.push_back({dofs, x, {}});
+            Node &node = nodes[inserted.first->second];
+            // faces of one plane meet in a node: once is enough
+            for (const Row &row : node.rows)
+              if (row.formula == formula && (row.a - a).norm() < same_direction)
+                return;
+            node.rows.push_back({a, formula});
+          };
+        const auto visit = [&](const BoundaryNode<dim> &node) {
+          Tensor<1, dim> normal = node.normal;
+          if (symmetry)
+            {
+              if (node.has_director)
+                for (unsigned int i = 0; i < dim; ++i)
+                  normal[i] = condition.plane_normal[i];
+              for (unsigned int i = 0; i < dim; ++i)
+                if (std::abs(normal[i]) < 1e-12)
+                  normal[i] = 0.; // planes along the axes are exact
+              normal /= normal.norm();
+              add_row(node.dofs, node.x, normal, -1);
+            }
+          for (unsigned int i = 0; i < dim; ++i)
+            {
+              Tensor<1, dim> e;
+              e[i] = 1.;
+              if (formula_of[i] >= 0)
+                add_row(node.dofs, node.x, e, formula_of[i]);
+              if (symmetry || formula_of[i] >= 0)
+                by_condition[c].emplace_back(node.dofs[i], i);
+              if (condition.fixes_directors && node.has_director)
+                add_row(node.director_dofs, node.x, e, -1);
+            }
+          if (symmetry && node.has_director)
+            add_row(node.director_dofs, node.x, normal, -1);
+        };
         for (const auto &body : bodies)
           {
             if (body->name != condition.body)
               continue;
-            const FiniteElement<dim>            &fe     = *body->fe;
-            const FiniteElement<dim>            &scalar = fe.base_element(0);
-            std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
-            // symmetry planes are plane: one normal per face
-            for (const auto &cell : body->dof_handler.active_cell_iterators())
-              for (const unsigned int f : cell->face_indices())
-                {
-                  if (!cell->face(f)->at_boundary() ||
-                      condition.boundaries.count(
-                        cell->face(f)->boundary_id()) == 0)
-                    continue;
-                  cell->get_dof_indices(dofs);
-
-                  Tensor<1, dim> normal;
-                  if (symmetry)
-                    {
-                      FEFaceValues<dim> face_values(*body->mapping,
-                                                    fe,
-                                                    *body->face_quadrature,
-                                                    update_normal_vectors);
-                      face_values.reinit(cell, f);
-                      for (const unsigned int q :
-                           face_values.quadrature_point_indices())
-                        normal += face_values.normal_vector(q);
-                      normal /= normal.norm();
-                      for (unsigned int i = 0; i < dim; ++i)
-                        if (std::abs(normal[i]) < 1e-12)
-                          normal[i] = 0.; // planes along the axes are exact
-                      normal /= normal.norm();
-                    }
-
-                  for (unsigned int k = 0; k < scalar.n_dofs_per_cell(); ++k)
-                    {
-                      const Point<dim> p = scalar.unit_support_point(k);
-                      if (!is_on_face<dim>(cell, f, p))
-                        continue;
-                      const auto first = body->numbering(
-                        dofs[fe.component_to_system_index(0, k)]);
-                      const auto inserted =
-                        node_of_dof.try_emplace(first, nodes.size());
-                      if (inserted.second)
-                        {
-                          Node node;
-                          for (unsigned int i = 0; i < dim; ++i)
-                            node.dofs[i] = body->numbering(
-                              dofs[fe.component_to_system_index(i, k)]);
-                          node.x =
-                            body->mapping->transform_unit_to_real_cell(cell, p);
-                          nodes.push_back(node);
-                        }
-                      Node      &node = nodes[inserted.first->second];
-                      const auto add  = [&](const Tensor<1, dim> &a,
-                                           const int             formula) {
-                        // faces of one plane meet in a node: once is enough
-                        for (const Row &row : node.rows)
-                          if (row.formula == formula &&
-                              (row.a - a).norm() < same_direction)
-                            return;
-                        node.rows.push_back({a, formula});
-                      };
-                      if (symmetry)
-                        add(normal, -1);
-                      for (unsigned int i = 0; i < dim; ++i)
-                        if (formula_of[i] >= 0)
-                          {
-                            Tensor<1, dim> e;
-                            e[i] = 1.;
-                            add(e, formula_of[i]);
-                          }
-                      for (unsigned int i = 0; i < dim; ++i)
-                        if (symmetry || formula_of[i] >= 0)
-                          by_condition[c].emplace_back(node.dofs[i], i);
-                    }
-                }
+            if (condition.point.empty())
+              body->visit_boundary_nodes(condition.boundaries, visit);
+            else
+              visit(body->nearest_node(point_of<dim>(condition.point)));
           }
         auto &list = by_condition[c];
         std::sort(list.begin(), list.end());
@@ -210,6 +170,10 @@ namespace Structure
   }
 
 
+  template Point<2>
+  point_of(const std::vector<double> &);
+  template Point<3>
+  point_of(const std::vector<double> &);
   template class NodeConditions<2>;
   template class NodeConditions<3>;
 } // namespace Structure

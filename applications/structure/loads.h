@@ -8,13 +8,15 @@
 #include <deal.II/lac/affine_constraints.h>
 
 #include <array>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
 
 namespace Structure
 {
-  /// What holds or loads the faces of a body with certain boundary ids.
+  /// What holds or loads the faces of a body with certain boundary ids (shells:
+  /// edges), the surface of a shell, or one node.
   struct BoundaryCondition
   {
     enum class Type
@@ -28,10 +30,19 @@ namespace Structure
     std::string                  name;
     std::string                  body;
     std::set<types::boundary_id> boundaries;
+    std::vector<double>          point; ///< The nearest node instead.
+    bool                         on_surface      = false; ///< Of a shell.
+    bool                         fixes_directors = false; ///< Of a shell.
+    Tensor<1, 3>                 plane_normal; ///< Symmetry of a shell.
     Type                         type = Type::displacement;
     /// Formulas by component; "free" for no condition. Pressure: the first.
     std::array<std::string, 3> values = {{"free", "free", "free"}};
   };
+
+  /// The first numbers of a list.
+  template <int dim>
+  Point<dim>
+  point_of(const std::vector<double> &coordinates);
 
   /**
    * Linear conditions on the displacement of one node, a . u = b(t): from

@@ -3,8 +3,6 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <deal.II/dofs/dof_tools.h>
-
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/sparsity_tools.h>
 
@@ -46,9 +44,8 @@ namespace Structure
     for (const auto &b : bodies)
       {
         counts.push_back(
-          Utilities::MPI::all_gather(communicator,
-                                     b->dof_handler.n_locally_owned_dofs()));
-        total_dofs += b->dof_handler.n_dofs();
+          Utilities::MPI::all_gather(communicator, b->n_owned_dofs()));
+        total_dofs += b->n_dofs();
       }
 
     owned.clear();
@@ -86,14 +83,11 @@ namespace Structure
       {
         bodies[b]->numbering =
           MortarContact::DoFNumbering(firsts[b], targets[b]);
-        dofs.resize(bodies[b]->fe->n_dofs_per_cell());
-        for (const auto &cell : bodies[b]->dof_handler.active_cell_iterators())
-          if (cell->is_locally_owned())
-            {
-              cell->get_dof_indices(dofs);
-              for (const auto d : dofs)
-                relevant.add_index(bodies[b]->numbering(d));
-            }
+        for (unsigned int c = 0; c < bodies[b]->n_local_cells(); ++c)
+          {
+            bodies[b]->dofs_of(c, dofs);
+            relevant.add_indices(dofs.begin(), dofs.end());
+          }
       }
     relevant.compress();
   }
@@ -113,7 +107,7 @@ namespace Structure
     for (const auto &b : bodies)
       {
         AffineConstraints<double> local;
-        DoFTools::make_hanging_node_constraints(b->dof_handler, local);
+        b->add_constraints(local);
         for (const auto &line : local.get_lines())
           {
             const auto dof = b->numbering(line.index);
@@ -126,46 +120,7 @@ namespace Structure
 
     // Step 2: conditions and loads.
     node_conditions = std::make_unique<NodeConditions<dim>>(bodies, conditions);
-    is_symmetric    = true;
-    loads.clear();
-    for (const auto &b : bodies)
-      if (!b->body_force.empty())
-        {
-          Load                           load{nullptr, b.get(), {}, {}};
-          const std::vector<std::string> components =
-            Utilities::split_string_list(b->body_force, ";");
-          AssertThrow(components.size() == dim,
-                      ExcMessage("'Bodies/" + b->name + "/Body force' has " +
-                                 std::to_string(components.size()) +
-                                 " components; expected " +
-                                 std::to_string(dim) +
-                                 ", separated by semicolons."));
-          for (unsigned int i = 0; i < dim; ++i)
-            {
-              load.of_component[i] = i;
-              load.formulas.emplace_back(components[i],
-                                         "Bodies/" + b->name + "/Body force");
-            }
-          loads.push_back(std::move(load));
-        }
-    for (const BoundaryCondition &c : conditions)
-      {
-        const bool is_pressure = c.type == BoundaryCondition::Type::pressure;
-        if (!is_pressure && c.type != BoundaryCondition::Type::traction)
-          continue;
-        Load load{&c, &body(c.body), {}, {}};
-        load.of_component.fill(-1);
-        for (unsigned int i = 0; i < (is_pressure ? 1 : dim); ++i)
-          if (c.values[i] != "free")
-            {
-              load.of_component[i] = load.formulas.size();
-              load.formulas.emplace_back(c.values[i],
-                                         "Boundary conditions/" + c.name);
-            }
-        if (is_pressure && !load.body->material->is_linear)
-          is_symmetric = false;
-        loads.push_back(std::move(load));
-      }
+    make_loads();
     for (const auto &interface : interfaces)
       is_symmetric = is_symmetric && interface->parameters.symmetric_tangent;
 
@@ -184,13 +139,82 @@ namespace Structure
 
 
   template <int dim>
+  void
+  Model<dim>::make_loads()
+  {
+    using Type   = typename Load<dim>::Type;
+    is_symmetric = true;
+    loads.clear();
+    loads.resize(bodies.size());
+    node_loads.clear();
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      {
+        if (bodies[b]->body_force.empty())
+          continue;
+        const std::string entry = "Bodies/" + bodies[b]->name + "/Body force";
+        const std::vector<std::string> components =
+          Utilities::split_string_list(bodies[b]->body_force, ";");
+        AssertThrow(components.size() == dim,
+                    ExcMessage("'" + entry + "' has " +
+                               std::to_string(components.size()) +
+                               " components; expected " + std::to_string(dim) +
+                               ", separated by semicolons."));
+        Load<dim> load;
+        load.type = Type::body_force;
+        for (unsigned int i = 0; i < dim; ++i)
+          {
+            load.of_component[i] = i;
+            load.formulas.emplace_back(components[i], entry);
+          }
+        loads[b].push_back(std::move(load));
+      }
+    for (const BoundaryCondition &c : conditions)
+      {
+        const bool is_pressure = c.type == BoundaryCondition::Type::pressure;
+        if (!is_pressure && c.type != BoundaryCondition::Type::traction)
+          continue;
+        std::vector<Expression<dim>> formulas;
+        std::array<int, dim>         of_component;
+        of_component.fill(-1);
+        for (unsigned int i = 0; i < (is_pressure ? 1 : dim); ++i)
+          if (c.values[i] != "free")
+            {
+              of_component[i] = formulas.size();
+              formulas.emplace_back(c.values[i],
+                                    "Boundary conditions/" + c.name);
+            }
+        const Body<dim> &of = body(c.body);
+        if (!c.point.empty())
+          {
+            const BoundaryNode<dim> node =
+              of.nearest_node(point_of<dim>(c.point));
+            node_loads.push_back(
+              {node.dofs, node.x, std::move(formulas), of_component});
+            continue;
+          }
+        if (is_pressure && !of.is_linear())
+          is_symmetric = false;
+        Load<dim> load;
+        load.type         = is_pressure ? Type::pressure : Type::traction;
+        load.boundaries   = c.boundaries;
+        load.on_surface   = c.on_surface;
+        load.formulas     = std::move(formulas);
+        load.of_component = of_component;
+        for (unsigned int b = 0; b < bodies.size(); ++b)
+          if (bodies[b].get() == &of)
+            loads[b].push_back(std::move(load));
+      }
+  }
+
+
+  template <int dim>
   double
   Model<dim>::box_diagonal() const
   {
     Point<dim> low, high;
     bool       first = true;
     for (const auto &b : bodies)
-      for (const Point<dim> &v : b->triangulation.get_vertices())
+      for (const Point<dim> &v : b->vertices())
         {
           for (unsigned int i = 0; i < dim; ++i)
             {
@@ -223,21 +247,16 @@ namespace Structure
 
   template <int dim>
   void
-  Model<dim>::cell_values(
-    const Body<dim>                                      &body,
-    const typename DoFHandler<dim>::active_cell_iterator &cell,
-    const Vector_t                                       &ghosted,
-    Vector<double>                                       &values,
-    std::vector<types::global_dof_index>                 &dofs) const
+  Model<dim>::cell_values(const Body<dim>                      &body,
+                          const unsigned int                    cell,
+                          const Vector_t                       &ghosted,
+                          Vector<double>                       &values,
+                          std::vector<types::global_dof_index> &dofs) const
   {
-    dofs.resize(body.fe->n_dofs_per_cell());
+    body.dofs_of(cell, dofs);
     values.reinit(dofs.size());
-    cell->get_dof_indices(dofs);
     for (unsigned int a = 0; a < dofs.size(); ++a)
-      {
-        dofs[a]   = body.numbering(dofs[a]);
-        values(a) = ghosted(dofs[a]);
-      }
+      values(a) = ghosted(dofs[a]);
   }
 
 
@@ -301,17 +320,11 @@ namespace Structure
     DynamicSparsityPattern               dsp(total_dofs, total_dofs);
     std::vector<types::global_dof_index> dofs;
     for (const auto &b : bodies)
-      {
-        dofs.resize(b->fe->n_dofs_per_cell());
-        for (const auto &cell : b->dof_handler.active_cell_iterators())
-          if (cell->is_locally_owned())
-            {
-              cell->get_dof_indices(dofs);
-              for (auto &d : dofs)
-                d = b->numbering(d);
-              constraints.add_entries_local_to_global(dofs, dsp, false);
-            }
-      }
+      for (unsigned int c = 0; c < b->n_local_cells(); ++c)
+        {
+          b->dofs_of(c, dofs);
+          constraints.add_entries_local_to_global(dofs, dsp, false);
+        }
     for (const RigidDofs<dim> &rigid : rigid_dofs)
       if (owned.is_element(rigid.first()))
         {
@@ -334,101 +347,43 @@ namespace Structure
 
   template <int dim>
   void
-  Model<dim>::add_loads(
-    const Body<dim>                                      &body,
-    const typename DoFHandler<dim>::active_cell_iterator &cell,
-    const Vector<double>                                 &u,
-    const double                                          time,
-    Vector<double>                                       &f,
-    FullMatrix<double>                                   &tangent)
+  Model<dim>::add_concentrated_loads(const double time, const bool with_tangent)
   {
-    const std::vector<unsigned int> component = components_of<dim>(*body.fe);
-    for (Load &load : loads)
-      {
-        if (load.body != &body)
-          continue;
-        if (load.condition == nullptr)
-          {
-            FEValues<dim> fe_values(*body.mapping,
-                                    *body.fe,
-                                    *body.quadrature,
-                                    update_values | update_JxW_values |
-                                      update_quadrature_points);
-            fe_values.reinit(cell);
-            for (const unsigned int q : fe_values.quadrature_point_indices())
-              for (unsigned int a = 0; a < component.size(); ++a)
-                f(a) += load.formulas[component[a]].value(
-                          fe_values.quadrature_point(q), time) *
-                        fe_values.shape_value(a, q) * fe_values.JxW(q);
-            continue;
-          }
-
-        const bool is_pressure =
-          load.condition->type == BoundaryCondition::Type::pressure;
-        for (const unsigned int face : cell->face_indices())
-          {
-            if (!cell->face(face)->at_boundary() ||
-                load.condition->boundaries.count(
-                  cell->face(face)->boundary_id()) == 0)
-              continue;
-            FEFaceValues<dim> fe_values(*body.mapping,
-                                        *body.fe,
-                                        *body.face_quadrature,
-                                        update_values | update_gradients |
-                                          update_JxW_values |
-                                          update_normal_vectors |
-                                          update_quadrature_points);
-            fe_values.reinit(cell, face);
-            for (const unsigned int q : fe_values.quadrature_point_indices())
-              {
-                const double     w = fe_values.JxW(q);
-                const Point<dim> x = fe_values.quadrature_point(q);
-                if (!is_pressure)
-                  {
-                    for (unsigned int a = 0; a < component.size(); ++a)
-                      if (load.of_component[component[a]] >= 0)
-                        f(a) +=
-                          load.formulas[load.of_component[component[a]]].value(
-                            x, time) *
-                          fe_values.shape_value(a, q) * w;
-                    continue;
-                  }
-                // Nanson: n da = J F^-T N dA; dead on small strains
-                const double p = load.formulas[0].value(x, time) * w;
-                Tensor<1, 3> N;
-                for (unsigned int i = 0; i < dim; ++i)
-                  N[i] = fe_values.normal_vector(q)[i];
-                Tensor<2, 3> F =
-                  deformation_gradient<dim>(fe_values,
-                                            component,
-                                            body.material->is_linear ?
-                                              Vector<double>(u.size()) :
-                                              u,
-                                            q);
-                const double       J = determinant(F);
-                const Tensor<2, 3> H = transpose(invert(F));
-                const Tensor<1, 3> n = J * (H * N);
-                for (unsigned int a = 0; a < component.size(); ++a)
-                  {
-                    f(a) -= p * n[component[a]] * fe_values.shape_value(a, q);
-                    if (tangent.empty() || body.material->is_linear)
-                      continue;
-                    const unsigned int i = component[a];
-                    for (unsigned int b = 0; b < component.size(); ++b)
-                      {
-                        const unsigned int   k = component[b];
-                        const Tensor<1, dim> g = fe_values.shape_grad(b, q);
-                        double               d = 0.;
-                        for (unsigned int K = 0; K < dim; ++K)
-                          for (unsigned int L = 0; L < dim; ++L)
-                            d += J * (H[i][K] * H[k][L] - H[i][L] * H[k][K]) *
-                                 N[K] * g[L];
-                        tangent(a, b) += p * d * fe_values.shape_value(a, q);
-                      }
-                  }
-              }
-          }
-      }
+    for (NodeLoad &load : node_loads)
+      if (owned.is_element(load.dofs[0]))
+        {
+          Vector<double>                       force(dim);
+          std::vector<types::global_dof_index> dofs(load.dofs.begin(),
+                                                    load.dofs.end());
+          for (unsigned int i = 0; i < dim; ++i)
+            if (load.of_component[i] >= 0)
+              force(i) =
+                load.formulas[load.of_component[i]].value(load.x, time);
+          none.distribute_local_to_global(force, dofs, external);
+          constraints.distribute_local_to_global(force, dofs, rhs);
+        }
+    for (RigidDofs<dim> &rigid : rigid_dofs)
+      if (owned.is_element(rigid.first()))
+        {
+          constexpr unsigned int               n = RigidDofs<dim>::n;
+          Vector<double>                       load(n);
+          std::vector<types::global_dof_index> dofs(n);
+          std::iota(dofs.begin(), dofs.end(), rigid.first());
+          for (unsigned int i = 0; i < n; ++i)
+            load(i) = rigid.load(i, time);
+          none.distribute_local_to_global(load, dofs, external);
+          if (with_tangent)
+            {
+              // motions that are not free need entries on the diagonal
+              FullMatrix<double> diagonal(n, n);
+              for (unsigned int i = 0; i < n; ++i)
+                diagonal(i, i) = rigid.is_free(i) ? 0. : 1.;
+              constraints.distribute_local_to_global(
+                diagonal, load, dofs, matrix, rhs);
+            }
+          else
+            constraints.distribute_local_to_global(load, dofs, rhs);
+        }
   }
 
 
@@ -436,9 +391,12 @@ namespace Structure
   std::string
   Model<dim>::assemble(const Vector_t &u,
                        const double    time,
-                       const bool      with_tangent)
+                       const bool      with_tangent,
+                       const Vector_t *previous)
   {
     const Vector_t u_ghosted = ghosted(u);
+    const Vector_t previous_ghosted =
+      previous ? ghosted(*previous) : Vector_t();
     make_constraints(u, time);
 
     // accelerations and velocities, and the means over the step
@@ -486,13 +444,12 @@ namespace Structure
     {
       TimerOutput::Scope                   scope(timer, "assembly: cells");
       std::vector<types::global_dof_index> dofs;
-      Vector<double>                       values, forces, loaded;
-      Vector<double>                       at_rest, ignored;
-      FullMatrix<double>                   tangent, mass, damping, stiffness;
-      for (const auto &b : bodies)
+      Vector<double>     values, before, forces, loaded, at_rest, ignored;
+      FullMatrix<double> tangent, mass, damping, stiffness;
+      for (unsigned int i = 0; i < bodies.size(); ++i)
         {
-          Element<dim>       element(*b);
-          const unsigned int n = b->fe->n_dofs_per_cell();
+          Body<dim>         &b = *bodies[i];
+          const unsigned int n = b.n_dofs_per_cell();
           if (dynamic)
             {
               mass.reinit(n, n);
@@ -500,86 +457,83 @@ namespace Structure
               at_rest.reinit(n);
               ignored.reinit(n);
             }
-          const bool is_loaded =
-            std::any_of(loads.begin(), loads.end(), [&](const Load &load) {
-              return load.body == b.get();
-            });
           forces.reinit(n);
           loaded.reinit(n);
           if (with_tangent)
             tangent.reinit(n, n);
-          for (const auto &cell : b->dof_handler.active_cell_iterators())
-            if (cell->is_locally_owned())
-              {
-                cell_values(*b, cell, u_ghosted, values, dofs);
-                if (!element.evaluate(
-                      cell, values, with_tangent, forces, tangent))
-                  {
-                    std::ostringstream text;
-                    text.precision(4);
-                    text << "cell " << cell->global_active_cell_index()
-                         << " of '" << b->name << "' at (" << cell->center()
-                         << ") turned inside out";
-                    failure = text.str();
-                    break;
-                  }
-                none.distribute_local_to_global(forces, dofs, internal);
-                if (is_loaded)
-                  {
-                    loaded = 0.;
-                    add_loads(*b, cell, values, time, loaded, tangent);
-                    none.distribute_local_to_global(loaded, dofs, external);
-                    forces -= loaded;
-                  }
-                if (dynamic)
-                  {
-                    // M and C = alpha M + beta K_0
-                    const auto &d = integration.parameters;
-                    element.mass(cell, mass);
-                    damping = mass;
-                    damping *= d.mass_damping;
-                    if (d.stiffness_damping > 0.)
-                      {
-                        at_rest = 0.;
-                        element.evaluate(
-                          cell, at_rest, true, ignored, stiffness);
-                        damping.add(d.stiffness_damping, stiffness);
-                      }
-                    const auto add_inertia = [&](const Vector_t &a,
-                                                 const Vector_t &v,
-                                                 const double    factor,
-                                                 Vector<double> &f) {
-                      for (unsigned int k = 0; k < n; ++k)
-                        for (unsigned int l = 0; l < n; ++l)
-                          f(k) += factor * (mass(k, l) * a(dofs[l]) +
-                                            damping(k, l) * v(dofs[l]));
-                    };
-                    add_inertia(a_mean, v_mean, per_share, forces);
-                    loaded = 0.;
-                    add_inertia(a_end, v_end, 1., loaded);
-                    none.distribute_local_to_global(loaded, dofs, inertia);
+          for (unsigned int cell = 0; cell < b.n_local_cells(); ++cell)
+            {
+              if (previous != nullptr)
+                cell_values(b, cell, previous_ghosted, before, dofs);
+              cell_values(b, cell, u_ghosted, values, dofs);
+              if (!b.evaluate(cell,
+                              values,
+                              previous ? &before : nullptr,
+                              with_tangent,
+                              forces,
+                              tangent))
+                {
+                  failure = b.name_of(cell) + " turned inside out";
+                  break;
+                }
+              none.distribute_local_to_global(forces, dofs, internal);
+              if (!loads[i].empty())
+                {
+                  loaded = 0.;
+                  for (Load<dim> &load : loads[i])
+                    b.add_load(cell, load, values, time, loaded, tangent);
+                  none.distribute_local_to_global(loaded, dofs, external);
+                  forces -= loaded;
+                }
+              if (dynamic)
+                {
+                  // M and C = alpha M + beta K_0
+                  const auto &d = integration.parameters;
+                  b.mass(cell, mass);
+                  damping = mass;
+                  damping *= d.mass_damping;
+                  if (d.stiffness_damping > 0.)
+                    {
+                      at_rest = 0.;
+                      b.evaluate(
+                        cell, at_rest, nullptr, true, ignored, stiffness);
+                      damping.add(d.stiffness_damping, stiffness);
+                    }
+                  const auto add_inertia = [&](const Vector_t &a,
+                                               const Vector_t &v,
+                                               const double    factor,
+                                               Vector<double> &f) {
                     for (unsigned int k = 0; k < n; ++k)
-                      {
-                        loaded(k) = 0.;
-                        for (unsigned int l = 0; l < n; ++l)
-                          loaded(k) += mass(k, l) * v_end(dofs[l]);
-                      }
-                    none.distribute_local_to_global(loaded, dofs, momenta);
-                    if (with_tangent)
-                      {
-                        tangent.add(per_share * (1. - integration.alpha_m) *
-                                      integration.a_u,
-                                    mass);
-                        tangent.add(integration.v_u, damping);
-                      }
-                  }
-                forces *= -1.;
-                if (with_tangent)
-                  constraints.distribute_local_to_global(
-                    tangent, forces, dofs, matrix, rhs);
-                else
-                  constraints.distribute_local_to_global(forces, dofs, rhs);
-              }
+                      for (unsigned int l = 0; l < n; ++l)
+                        f(k) += factor * (mass(k, l) * a(dofs[l]) +
+                                          damping(k, l) * v(dofs[l]));
+                  };
+                  add_inertia(a_mean, v_mean, per_share, forces);
+                  loaded = 0.;
+                  add_inertia(a_end, v_end, 1., loaded);
+                  none.distribute_local_to_global(loaded, dofs, inertia);
+                  for (unsigned int k = 0; k < n; ++k)
+                    {
+                      loaded(k) = 0.;
+                      for (unsigned int l = 0; l < n; ++l)
+                        loaded(k) += mass(k, l) * v_end(dofs[l]);
+                    }
+                  none.distribute_local_to_global(loaded, dofs, momenta);
+                  if (with_tangent)
+                    {
+                      tangent.add(per_share * (1. - integration.alpha_m) *
+                                    integration.a_u,
+                                  mass);
+                      tangent.add(integration.v_u, damping);
+                    }
+                }
+              forces *= -1.;
+              if (with_tangent)
+                constraints.distribute_local_to_global(
+                  tangent, forces, dofs, matrix, rhs);
+              else
+                constraints.distribute_local_to_global(forces, dofs, rhs);
+            }
         }
     }
     for (const std::string &f :
@@ -587,28 +541,7 @@ namespace Structure
       if (!f.empty())
         failure = f;
 
-    for (RigidDofs<dim> &rigid : rigid_dofs)
-      if (owned.is_element(rigid.first()))
-        {
-          constexpr unsigned int               n = RigidDofs<dim>::n;
-          Vector<double>                       load(n);
-          std::vector<types::global_dof_index> dofs(n);
-          std::iota(dofs.begin(), dofs.end(), rigid.first());
-          for (unsigned int i = 0; i < n; ++i)
-            load(i) = rigid.load(i, time);
-          none.distribute_local_to_global(load, dofs, external);
-          if (with_tangent)
-            {
-              // motions that are not free need entries on the diagonal
-              FullMatrix<double> diagonal(n, n);
-              for (unsigned int i = 0; i < n; ++i)
-                diagonal(i, i) = rigid.is_free(i) ? 0. : 1.;
-              constraints.distribute_local_to_global(
-                diagonal, load, dofs, matrix, rhs);
-            }
-          else
-            constraints.distribute_local_to_global(load, dofs, rhs);
-        }
+    add_concentrated_loads(time, with_tangent);
 
     // Step 3: contact.
     {
@@ -678,38 +611,33 @@ namespace Structure
                                std::to_string(formulas.size()) +
                                " components; expected " + std::to_string(dim) +
                                ", separated by semicolons."));
-        const FiniteElement<dim> &scalar = b->fe->base_element(0);
-        Element<dim>              element(*b);
-        const unsigned int        n = b->fe->n_dofs_per_cell();
-        FullMatrix<double>        mass(n, n);
-        Vector<double>            diagonal(n);
-        dofs.resize(n);
-        for (const auto &cell : b->dof_handler.active_cell_iterators())
-          if (cell->is_locally_owned())
-            {
-              cell->get_dof_indices(dofs);
-              element.mass(cell, mass);
-              // the cell's mass, dealt by the diagonal
-              double total = 0., trace = 0.;
-              for (unsigned int k = 0; k < n; ++k)
-                {
-                  dofs[k] = b->numbering(dofs[k]);
-                  trace += mass(k, k);
-                  for (unsigned int l = 0; l < n; ++l)
-                    total += mass(k, l);
-                }
-              for (unsigned int k = 0; k < n; ++k)
-                {
-                  diagonal(k)     = mass(k, k) * total / trace;
-                  const auto node = b->fe->system_to_component_index(k);
-                  if (!formulas.empty() && owned.is_element(dofs[k]))
-                    integration.v_n(dofs[k]) = formulas[node.first].value(
-                      b->mapping->transform_unit_to_real_cell(
-                        cell, scalar.unit_support_point(node.second)),
-                      0.);
-                }
-              none.distribute_local_to_global(diagonal, dofs, lumped);
-            }
+        const unsigned int n = b->n_dofs_per_cell();
+        FullMatrix<double> mass(n, n);
+        Vector<double>     diagonal(n);
+        for (unsigned int cell = 0; cell < b->n_local_cells(); ++cell)
+          {
+            b->dofs_of(cell, dofs);
+            b->mass(cell, mass);
+            // the masses of displacements and directors, dealt by the diagonal
+            double total[2] = {0., 0.}, trace[2] = {0., 0.};
+            for (unsigned int k = 0; k < n; ++k)
+              {
+                const unsigned int kind = b->component_of(k) < dim ? 0 : 1;
+                trace[kind] += mass(k, k);
+                for (unsigned int l = 0; l < n; ++l)
+                  total[kind] += mass(k, l);
+                if (!formulas.empty() && kind == 0 && owned.is_element(dofs[k]))
+                  integration.v_n(dofs[k]) =
+                    formulas[b->component_of(k)].value(b->place_of(cell, k).x,
+                                                       0.);
+              }
+            for (unsigned int k = 0; k < n; ++k)
+              {
+                const unsigned int kind = b->component_of(k) < dim ? 0 : 1;
+                diagonal(k) = mass(k, k) * total[kind] / trace[kind];
+              }
+            none.distribute_local_to_global(diagonal, dofs, lumped);
+          }
       }
     lumped.compress(VectorOperation::add);
     integration.v_n.compress(VectorOperation::insert);
@@ -750,17 +678,15 @@ namespace Structure
     std::vector<types::global_dof_index> dofs;
     for (const auto &b : bodies)
       {
-        Element<dim>       element(*b);
-        const unsigned int n = b->fe->n_dofs_per_cell();
+        const unsigned int n = b->n_dofs_per_cell();
         FullMatrix<double> mass(n, n);
         Vector<double>     values;
-        for (const auto &cell : b->dof_handler.active_cell_iterators())
-          if (cell->is_locally_owned())
-            {
-              cell_values(*b, cell, v, values, dofs);
-              element.mass(cell, mass);
-              energy += 0.5 * mass.matrix_norm_square(values);
-            }
+        for (unsigned int cell = 0; cell < b->n_local_cells(); ++cell)
+          {
+            cell_values(*b, cell, v, values, dofs);
+            b->mass(cell, mass);
+            energy += 0.5 * mass.matrix_norm_square(values);
+          }
       }
     return Utilities::MPI::sum(energy, communicator);
   }
@@ -775,20 +701,21 @@ namespace Structure
     std::vector<types::global_dof_index> dofs;
     for (const auto &b : bodies)
       {
-        Element<dim>                    element(*b);
-        const unsigned int              n         = b->fe->n_dofs_per_cell();
-        const std::vector<unsigned int> component = components_of<dim>(*b->fe);
-        FullMatrix<double>              mass(n, n);
-        Vector<double>                  values, of_cell(n);
-        for (const auto &cell : b->dof_handler.active_cell_iterators())
-          if (cell->is_locally_owned())
-            {
-              cell_values(*b, cell, v, values, dofs);
-              element.mass(cell, mass);
-              mass.vmult(of_cell, values);
-              for (unsigned int k = 0; k < n; ++k)
-                sum[component[k]] += of_cell(k);
-            }
+        const unsigned int n = b->n_dofs_per_cell();
+        FullMatrix<double> mass(n, n);
+        Vector<double>     values, of_cell(n);
+        for (unsigned int cell = 0; cell < b->n_local_cells(); ++cell)
+          {
+            cell_values(*b, cell, v, values, dofs);
+            b->mass(cell, mass);
+            mass.vmult(of_cell, values);
+            for (unsigned int k = 0; k < n; ++k)
+              {
+                const unsigned int c = b->component_of(k);
+                if (c < dim)
+                  sum[c] += of_cell(k);
+              }
+          }
       }
     Utilities::MPI::sum(sum, communicator, sum);
     return Tensor<1, 3>({sum[0], sum[1], sum[2]});
@@ -804,16 +731,12 @@ namespace Structure
     std::vector<types::global_dof_index> dofs;
     for (const auto &b : bodies)
       {
-        Element<dim>       element(*b);
-        Vector<double>     values, forces(b->fe->n_dofs_per_cell());
-        FullMatrix<double> no_tangent;
-        for (const auto &cell : b->dof_handler.active_cell_iterators())
-          if (cell->is_locally_owned())
-            {
-              cell_values(*b, cell, u_ghosted, values, dofs);
-              element.evaluate(cell, values, false, forces, no_tangent);
-              energy += element.state().energy;
-            }
+        Vector<double> values;
+        for (unsigned int cell = 0; cell < b->n_local_cells(); ++cell)
+          {
+            cell_values(*b, cell, u_ghosted, values, dofs);
+            energy += b->energy(cell, values);
+          }
       }
     return Utilities::MPI::sum(energy, communicator);
   }
@@ -843,34 +766,30 @@ namespace Structure
     std::vector<types::global_dof_index> dofs;
     for (const auto &b : bodies)
       {
-        dofs.resize(b->fe->n_dofs_per_cell());
-        const FiniteElement<dim> &scalar = b->fe->base_element(0);
-        for (const auto &cell : b->dof_handler.active_cell_iterators())
-          if (cell->is_locally_owned())
-            {
-              cell->get_dof_indices(dofs);
-              for (unsigned int a = 0; a < dofs.size(); ++a)
-                {
-                  const auto dof = b->numbering(dofs[a]);
-                  if (!owned.is_element(dof))
-                    continue;
-                  const auto         i    = owned.index_within_set(dof);
-                  const auto         node = b->fe->system_to_component_index(a);
-                  const unsigned int c    = node.first;
-                  const Point<dim> x = b->mapping->transform_unit_to_real_cell(
-                    cell, scalar.unit_support_point(node.second));
+        for (unsigned int cell = 0; cell < b->n_local_cells(); ++cell)
+          {
+            b->dofs_of(cell, dofs);
+            for (unsigned int a = 0; a < dofs.size(); ++a)
+              {
+                if (!owned.is_element(dofs[a]))
+                  continue;
+                const auto           i     = owned.index_within_set(dofs[a]);
+                const DoFPlace<dim>  place = b->place_of(cell, a);
+                const unsigned int   c     = place.component % dim;
+                const Tensor<1, dim> x     = place.arm;
+                if (place.component < dim)
                   modes[c][i] = 1.;
-                  if constexpr (dim == 2)
-                    modes[2][i] = (c == 0) ? -x[1] : x[0];
-                  else
-                    for (unsigned int r = 0; r < 3; ++r)
-                      // rotation about axis r: e_r x x
-                      if (c == (r + 1) % 3)
-                        modes[3 + r][i] = -x[(r + 2) % 3];
-                      else if (c == (r + 2) % 3)
-                        modes[3 + r][i] = x[(r + 1) % 3];
-                }
-            }
+                if constexpr (dim == 2)
+                  modes[2][i] = (c == 0) ? -x[1] : x[0];
+                else
+                  for (unsigned int r = 0; r < 3; ++r)
+                    // rotation about axis r: e_r x x
+                    if (c == (r + 1) % 3)
+                      modes[3 + r][i] = -x[(r + 2) % 3];
+                    else if (c == (r + 2) % 3)
+                      modes[3 + r][i] = x[(r + 1) % 3];
+              }
+          }
       }
     return modes;
   }

@@ -2,8 +2,8 @@
 #ifndef mortar_contact_structure_model_h
 #define mortar_contact_structure_model_h
 
+#include "body.h"
 #include "dynamics.h"
-#include "element.h"
 #include "loads.h"
 #include "rigid_dofs.h"
 
@@ -82,10 +82,15 @@ namespace Structure
 
     /**
      * Assemble residual (and tangent) at @p u, @p time.
+     * @param previous Null, or the Newton iterate before, for shells: see
+     *                 ShellElement::evaluate().
      * @return Why this is impossible (a cell turned inside out), or nothing.
      */
     std::string
-    assemble(const Vector_t &u, const double time, const bool with_tangent);
+    assemble(const Vector_t &u,
+             const double    time,
+             const bool      with_tangent,
+             const Vector_t *previous = nullptr);
 
     /// Accept the state of the last assembly, at @p u, as the end of a step.
     void
@@ -119,12 +124,12 @@ namespace Structure
     const Body<dim> &
     body(const std::string &name) const;
 
-    /// Values at the dofs of a cell of @p body of the last distributed vector.
+    /// Values at the dofs of a local cell of @p body.
     void
-    cell_values(const Body<dim>                                      &body,
-                const typename DoFHandler<dim>::active_cell_iterator &cell,
-                const Vector_t                                       &ghosted,
-                Vector<double>                                       &values,
+    cell_values(const Body<dim>                      &body,
+                const unsigned int                    cell,
+                const Vector_t                       &ghosted,
+                Vector<double>                       &values,
                 std::vector<types::global_dof_index> &dofs) const;
 
     /// @p u with the values that this rank's cells need.
@@ -153,15 +158,12 @@ namespace Structure
     void
     start_motion();
 
-    /// External forces of one cell: body force, tractions, pressures; with the
-    /// derivative of the pressures subtracted from the tangent.
     void
-    add_loads(const Body<dim>                                      &body,
-              const typename DoFHandler<dim>::active_cell_iterator &cell,
-              const Vector<double>                                 &u,
-              const double                                          time,
-              Vector<double>                                       &external,
-              FullMatrix<double>                                   &tangent);
+    make_loads();
+
+    /// Forces on single nodes and on rigid bodies.
+    void
+    add_concentrated_loads(const double time, const bool with_tangent);
 
     types::global_dof_index              total_dofs = 0;
     IndexSet                             owned, relevant;
@@ -171,15 +173,17 @@ namespace Structure
       momenta; ///< Mass times velocity.
     bool pattern_is_current = false;
 
-    /// Loads by body, with their formulas.
-    struct Load
+    std::vector<std::vector<Load<dim>>> loads; ///< By body.
+
+    /// A force on a node.
+    struct NodeLoad
     {
-      const BoundaryCondition     *condition; ///< Null: body force.
-      const Body<dim>             *body;
-      std::vector<Expression<dim>> formulas; ///< Empty components: none.
-      std::array<int, dim>         of_component;
+      std::array<types::global_dof_index, dim> dofs;
+      Point<dim>                               x;
+      std::vector<Expression<dim>>             formulas;
+      std::array<int, dim>                     of_component; ///< -1: none.
     };
-    std::vector<Load> loads;
+    std::vector<NodeLoad> node_loads;
   };
 } // namespace Structure
 

@@ -22,6 +22,10 @@ namespace Structure
 
     /// Updates below this are round-off: no better solution can be written
     /// down. Then the residual's floor is reached too, if it is at least below
+    /// Shells: work of an update over the largest of the step below which only
+    /// round-off of their stiff directions is left (with residual_round_off).
+    constexpr double work_round_off = 1e-16;
+
     /// the second number.
     constexpr double update_round_off   = 1e-11;
     constexpr double residual_round_off = 1e-6;
@@ -84,14 +88,22 @@ namespace Structure
              const double                                      time,
              const Vector_t                                   &u_start,
              Vector_t                                         &u,
+             const bool                                        mixed_points,
              const std::function<void(const NewtonIterate &)> &watch)
   {
     NewtonResult result;
     Vector_t     du      = model.make_vector();
     double       modulus = 0.;
     for (const auto &b : model.bodies)
-      modulus = std::max(modulus, b->material->shear_modulus);
+      modulus = std::max(modulus, b->shear_modulus());
     const double floor = force_floor * modulus * std::pow(model.size, dim - 1.);
+    // bending to a large angle first stretches: no line search then, which
+    // would allow small steps only
+    const bool has_shells =
+      std::any_of(model.bodies.begin(), model.bodies.end(), [](const auto &b) {
+        return b->uses_iterates();
+      });
+    double work = 0., largest_work = 0.; ///< Of the updates.
 
     NewtonIterate iterate;
     iterate.update = std::numeric_limits<double>::max();
@@ -119,6 +131,8 @@ namespace Structure
               iterate.update <= parameters.displacement_tolerance) ||
              iterate.residual <=
                surely_converged * parameters.force_tolerance ||
+             (has_shells && iterate.residual <= residual_round_off &&
+              work <= work_round_off * largest_work) ||
              (iterate.update <= update_round_off &&
               (iterate.residual <= residual_round_off ||
                n.residual <= stress_round_off / force_floor * floor))))
@@ -154,15 +168,19 @@ namespace Structure
             std::min(iterate.step, interface->largest_safe_step(u, du));
 
         // Step 3: go there; shorten while it does not help.
-        const double   work_before     = du * model.rhs;
+        const double work_before       = du * model.rhs;
+        work                           = std::abs(work_before);
+        largest_work                   = std::max(largest_work, work);
         const double   residual_before = n.residual;
         const Vector_t u_before        = u;
-        const bool     search = parameters.line_search != "none" && at_target;
+        const bool     search =
+          parameters.line_search != "none" && at_target && !has_shells;
         for (unsigned int trial = 0;; ++trial)
           {
             u = u_before;
             u.add(iterate.step, du);
-            result.failure    = model.assemble(u, time, true);
+            result.failure =
+              model.assemble(u, time, true, mixed_points ? &u_before : nullptr);
             const bool better = model.norms.residual < residual_before;
             const bool less_work =
               std::abs(du * model.rhs) <= enough * std::abs(work_before);
@@ -197,6 +215,7 @@ namespace Structure
              const double,
              const Vector_t &,
              Vector_t &,
+             const bool,
              const std::function<void(const NewtonIterate &)> &);
   template NewtonResult
   solve_step(Model<3> &,
@@ -205,5 +224,6 @@ namespace Structure
              const double,
              const Vector_t &,
              Vector_t &,
+             const bool,
              const std::function<void(const NewtonIterate &)> &);
 } // namespace Structure

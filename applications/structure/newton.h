@@ -50,6 +50,9 @@ namespace Structure
    * forces, and the last update is below the displacement tolerance times the
    * motion of the step. Scenes without forces have a floor that scales with the
    * materials and the size: it makes sense in any units.
+   * @param mixed_points For shells, see ShellElement::evaluate(): fewer
+   *                     iterations, but it may fail where plain Newton does
+   * not.
    */
   template <int dim>
   NewtonResult
@@ -59,6 +62,7 @@ namespace Structure
              const double                                      time,
              const Vector_t                                   &u_start,
              Vector_t                                         &u,
+             const bool                                        mixed_points,
              const std::function<void(const NewtonIterate &)> &watch);
 } // namespace Structure
 

@@ -199,70 +199,6 @@ namespace Structure
 
   template <int dim>
   void
-  Output<dim>::write_body(const Model<dim>  &model,
-                          const Body<dim>   &body,
-                          const Vector_t    &u,
-                          const std::string &name) const
-  {
-    // displacements on the body's own numbering, and means over cells
-    const Vector_t     ghosted = model.ghosted(u);
-    Vector<double>     displacement(body.dof_handler.n_dofs());
-    const unsigned int n_cells = body.triangulation.n_active_cells();
-    Vector<double>     pressure(n_cells), mises(n_cells), volume_ratio(n_cells);
-    std::vector<Vector<double>> stress(dim == 2 ? 4 : 6,
-                                       Vector<double>(n_cells));
-
-    Element<dim>                         element(body);
-    std::vector<types::global_dof_index> dofs,
-      local(body.fe->n_dofs_per_cell());
-    Vector<double>     values, forces(local.size());
-    FullMatrix<double> none;
-    for (const auto &cell : body.dof_handler.active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          model.cell_values(body, cell, ghosted, values, dofs);
-          cell->get_dof_indices(local);
-          for (unsigned int a = 0; a < local.size(); ++a)
-            displacement(local[a]) = values(a);
-          element.evaluate(cell, values, false, forces, none);
-          const unsigned int           c = cell->active_cell_index();
-          const SymmetricTensor<2, 3> &s = element.state().stress;
-          pressure(c)                    = -trace(s) / 3.;
-          mises(c)                       = std::sqrt(1.5) * deviator(s).norm();
-          volume_ratio(c)                = element.state().volume_ratio;
-          const unsigned int components[6][2] = {
-            {0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}};
-          for (unsigned int i = 0; i < stress.size(); ++i)
-            stress[i](c) = s[components[i][0]][components[i][1]];
-        }
-
-    DataOut<dim> data_out;
-    data_out.attach_dof_handler(body.dof_handler);
-    data_out.add_data_vector(
-      displacement,
-      std::vector<std::string>(dim, "displacement"),
-      DataOut<dim>::type_dof_data,
-      std::vector<DataComponentInterpretation::DataComponentInterpretation>(
-        dim, DataComponentInterpretation::component_is_part_of_vector));
-    data_out.add_data_vector(pressure,
-                             "pressure",
-                             DataOut<dim>::type_cell_data);
-    data_out.add_data_vector(mises, "von_Mises", DataOut<dim>::type_cell_data);
-    data_out.add_data_vector(volume_ratio,
-                             "volume_ratio",
-                             DataOut<dim>::type_cell_data);
-    const char *const names[6] = {"xx", "yy", "zz", "xy", "yz", "xz"};
-    for (unsigned int i = 0; i < stress.size(); ++i)
-      data_out.add_data_vector(stress[i],
-                               std::string("stress_") + names[i],
-                               DataOut<dim>::type_cell_data);
-    data_out.build_patches(*body.mapping, body.fe->degree);
-    data_out.write_vtu_in_parallel(directory + "/" + name, communicator);
-  }
-
-
-  template <int dim>
-  void
   Output<dim>::fields(const Model<dim>  &model,
                       const Vector_t    &u,
                       const double       time,
@@ -274,11 +210,20 @@ namespace Structure
           c = '_';
       return kind + "-" + of + "-" + Utilities::int_to_string(step, 4) + ".vtu";
     };
-    unsigned int part = 0;
+    const Vector_t                       ghosted = model.ghosted(u);
+    Vector<double>                       values;
+    std::vector<types::global_dof_index> dofs;
+    unsigned int                         part = 0;
     for (const auto &body : model.bodies)
       {
         const std::string name = file_name("solution", body->name);
-        write_body(model, *body, u, name);
+        body->write(
+          [&](const unsigned int cell) -> const Vector<double> & {
+            model.cell_values(*body, cell, ghosted, values, dofs);
+            return values;
+          },
+          directory + "/" + name,
+          communicator);
         solution_files.push_back({time, part++, name});
       }
     part = 0;

@@ -70,12 +70,6 @@ namespace Structure
     const std::string directory;
 
   private:
-    void
-    write_body(const Model<dim>  &model,
-               const Body<dim>   &body,
-               const Vector_t    &u,
-               const std::string &name) const;
-
     const MPI_Comm communicator;
     /// A line of a collection.
     struct DataSet

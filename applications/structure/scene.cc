@@ -143,6 +143,26 @@ namespace Structure
       prm.enter_subsection("Material");
       MaterialParameters::declare(prm);
       prm.leave_subsection();
+      prm.declare_entry("Type",
+                        "solid",
+                        Patterns::Selection("solid|shell"),
+                        "shell: the mesh is a surface in space; elastic (St. "
+                        "Venant-Kirchhoff), finite rotations.");
+      prm.declare_entry("Thickness",
+                        "0.0",
+                        Patterns::Double(0.),
+                        "Of a shell [length].");
+      prm.declare_entry("Turn over",
+                        "false",
+                        Patterns::Bool(),
+                        "Exchange top and bottom of a shell. The top of a box "
+                        "is where x cross y of its mesh points.");
+      prm.declare_entry("Director scale",
+                        "0.0",
+                        Patterns::Double(0.),
+                        "Length that scales the second half of a shell's "
+                        "unknowns, for the condition of the matrix [length]; "
+                        "0: the mean size of the cells.");
       prm.declare_entry("Degree",
                         "1",
                         Patterns::Integer(1, 2),
@@ -171,10 +191,29 @@ namespace Structure
     {
       in_section(prm, {"Mesh"}, [&]() { body.mesh.read(prm); });
       in_section(prm, {"Material"}, [&]() { body.material.read(prm); });
+      body.is_shell       = prm.get("Type") == "shell";
+      body.thickness      = prm.get_double("Thickness");
+      body.is_turned      = prm.get_bool("Turn over");
+      body.director_scale = prm.get_double("Director scale");
+      AssertThrow(body.is_shell == (body.thickness > 0.),
+                  ExcMessage(body.is_shell ?
+                               "'Type' is 'shell' but 'Thickness' is 0; "
+                               "expected a positive number." :
+                               "'Thickness' is set but 'Type' is 'solid'; "
+                               "expected Type = shell."));
       body.degree           = prm.get_integer("Degree");
       body.mean_dilatation  = prm.get("Mean dilatation");
       body.body_force       = prm.get("Body force");
       body.initial_velocity = prm.get("Initial velocity");
+      AssertThrow(!body.is_shell ||
+                    (body.material.law != "Mooney-Rivlin" && body.degree == 1 &&
+                     body.mean_dilatation != "yes" &&
+                     body.material.youngs_modulus > 0.),
+                  ExcMessage(
+                    "'Type' is 'shell': expected Degree = 1, no mean "
+                    "dilatation, not Mooney-Rivlin, and a positive "
+                    "Young's modulus. Shells are of St. "
+                    "Venant-Kirchhoff's material whatever 'Law' says."));
       AssertThrow(body.mean_dilatation != "yes" ||
                     body.material.law == "Mooney-Rivlin",
                   ExcMessage("'Mean dilatation' is 'yes' but 'Material/Law' is "
@@ -206,6 +245,26 @@ namespace Structure
           Patterns::Anything(),
           "Component as a formula in x, y, z, t and pi, or free "
           "[length or pressure].");
+      prm.declare_entry("Point",
+                        "",
+                        Patterns::List(Patterns::Double(), 0, 3),
+                        "The condition holds at the node nearest to this place "
+                        "[length] instead of on faces; a traction is a force "
+                        "then.");
+      prm.declare_entry("On surface",
+                        "false",
+                        Patterns::Bool(),
+                        "Of a shell: the load acts on its surface instead of "
+                        "on edges; pressure pushes on the top.");
+      prm.declare_entry("Directors",
+                        "free",
+                        Patterns::Selection("free|fixed"),
+                        "Of a shell: fixed with x, y, z makes a clamp, free a "
+                        "hinge.");
+      prm.declare_entry("Plane normal",
+                        "",
+                        Patterns::List(Patterns::Double(), 0, 3),
+                        "Of the plane of symmetry of a shell [-].");
       prm.declare_entry("Pressure",
                         "free",
                         Patterns::Anything(),
@@ -225,6 +284,26 @@ namespace Structure
                                (type == "traction")     ? Type::traction :
                                                           Type::pressure;
       c.values               = {{prm.get("x"), prm.get("y"), prm.get("z")}};
+      c.point                = numbers_of(prm.get("Point"));
+      c.on_surface           = prm.get_bool("On surface");
+      c.fixes_directors      = prm.get("Directors") == "fixed";
+      const std::vector<double> normal = numbers_of(prm.get("Plane normal"));
+      for (unsigned int i = 0; i < normal.size(); ++i)
+        c.plane_normal[i] = normal[i];
+      if (c.plane_normal.norm() > 0.)
+        c.plane_normal /= c.plane_normal.norm();
+      AssertThrow(c.point.empty() || c.type == Type::displacement ||
+                    c.type == Type::traction,
+                  ExcMessage("'Point' is set but 'Type' is '" + type +
+                             "'; expected displacement or traction."));
+      AssertThrow(!c.on_surface ||
+                    (c.point.empty() &&
+                     (c.type == Type::traction || c.type == Type::pressure)),
+                  ExcMessage("'On surface' is 'true': expected Type = traction "
+                             "or pressure, and no 'Point'."));
+      AssertThrow(!c.fixes_directors || c.type == Type::displacement,
+                  ExcMessage("'Directors' are 'fixed' but 'Type' is '" + type +
+                             "'; expected displacement."));
       const bool any =
         c.values[0] != "free" || c.values[1] != "free" || c.values[2] != "free";
       const std::string pressure = prm.get("Pressure");
@@ -256,7 +335,8 @@ namespace Structure
                           Patterns::Anything(),
                           std::string(side) +
                             " surface: body, 'body: boundary 1, 2' or 'body: "
-                            "material 3'; several separated by semicolons. The "
+                            "material 3', of shells also 'body: top', bottom "
+                            "or edges; several separated by semicolons. The "
                             "secondary (SURFA, slave) carries the integration "
                             "points.");
       MortarContact::ContactParameters::declare(prm);
@@ -318,7 +398,14 @@ namespace Structure
             const std::string what  = rest.substr(0, space);
             bool              ok = (what == "boundary" || what == "material") &&
                       space != std::string::npos;
-            if (ok)
+            if (rest == "top" || rest == "bottom" || rest == "edges")
+              {
+                ok                     = true;
+                selection.faces.top    = rest == "top";
+                selection.faces.bottom = rest == "bottom";
+                selection.faces.edges  = rest == "edges";
+              }
+            else if (ok)
               for (const std::string &id :
                    Utilities::split_string_list(rest.substr(space + 1)))
                 {
@@ -599,7 +686,20 @@ namespace Structure
            {std::make_pair(&i.secondary, "Secondary"),
             std::make_pair(&i.primary, "Primary")})
         for (const auto &part : *parts)
-          check(part.body, "Contact/" + i.name + "/" + side);
+          {
+            check(part.body, "Contact/" + i.name + "/" + side);
+            const bool is_shell =
+              std::any_of(scene.bodies.begin(),
+                          scene.bodies.end(),
+                          [&](const BodyParameters &b) {
+                            return b.name == part.body && b.is_shell;
+                          });
+            AssertThrow(is_shell || (part.faces.top && part.faces.bottom &&
+                                     part.faces.edges),
+                        ExcMessage("'Contact/" + i.name + "/" + side +
+                                   "' asks for top, bottom or edges of '" +
+                                   part.body + "', which is not a shell."));
+          }
     names = deformable;
     for (const auto &p : scene.output.probes)
       {
@@ -614,7 +714,8 @@ namespace Structure
       for (const auto &b : scene.conditions)
         {
           using Type = BoundaryCondition::Type;
-          if (&a >= &b || a.body != b.body || a.type != Type::displacement ||
+          if (&a >= &b || a.body != b.body || !a.point.empty() ||
+              !b.point.empty() || a.type != Type::displacement ||
               b.type != Type::displacement)
             continue;
           for (const auto id : a.boundaries)
@@ -641,6 +742,38 @@ namespace Structure
                       "/Initial velocity' is set but 'Dynamics/Type' is "
                       "'static'. Remove one of them."));
       }
+    for (const auto &c : scene.conditions)
+      for (const auto &b : scene.bodies)
+        if (b.name == c.body)
+          {
+            const std::string where = "'Boundary conditions/" + c.name + "/";
+            AssertThrow(b.is_shell || !(c.on_surface || c.fixes_directors ||
+                                        c.plane_normal.norm() > 0.),
+                        ExcMessage(where +
+                                   "' sets 'On surface', 'Directors' or 'Plane "
+                                   "normal', but '" +
+                                   b.name + "' is a solid; expected a shell."));
+            AssertThrow(!b.is_shell ||
+                          c.type != BoundaryCondition::Type::symmetry ||
+                          c.plane_normal.norm() > 0.,
+                        ExcMessage(where +
+                                   "Plane normal' is empty; expected "
+                                   "the normal of the plane of symmetry "
+                                   "of the shell '" +
+                                   b.name + "'."));
+            AssertThrow(!b.is_shell ||
+                          c.type != BoundaryCondition::Type::pressure ||
+                          c.on_surface,
+                        ExcMessage(where +
+                                   "On surface' is 'false'; expected "
+                                   "true for a pressure on the shell '" +
+                                   b.name + "'."));
+            AssertThrow(c.point.empty() || c.point.size() == scene.dimension,
+                        ExcMessage(where + "Point' has " +
+                                   std::to_string(c.point.size()) +
+                                   " numbers; expected " +
+                                   std::to_string(scene.dimension) + "."));
+          }
     // treatments that end at a time: a step ends there
     for (const auto &i : scene.interfaces)
       if (i.contact.removal_time > 0.)

@@ -5,6 +5,7 @@
 #include "../geometry/mesh_parameters.h"
 #include "dynamics.h"
 #include "loads.h"
+#include "material.h"
 #include "newton.h"
 #include "rigid_parameters.h"
 
@@ -19,6 +20,10 @@ namespace Structure
   struct BodyParameters
   {
     std::string        name;
+    bool               is_shell       = false;
+    double             thickness      = 0.; ///< Of a shell [m].
+    double             director_scale = 0.; ///< Of a shell [m]; 0: cell size.
+    bool               is_turned      = false; ///< Top and bottom exchanged.
     MeshParameters     mesh;
     MaterialParameters material;
     unsigned int       degree          = 1;

@@ -2,6 +2,8 @@
 #include "simulation.h"
 
 #include "../geometry/mesh_maker.h"
+#include "shell_body.h"
+#include "solid_body.h"
 
 #include <deal.II/base/utilities.h>
 
@@ -81,30 +83,72 @@ namespace Structure
 
 
   template <int dim>
+  std::unique_ptr<Body<dim>>
+  Simulation<dim>::make_solid(const BodyParameters &b) const
+  {
+    Triangulation<dim> mesh;
+    make_mesh<dim>(b.mesh, mesh);
+    std::unique_ptr<Material> material = b.material.make();
+    const bool                mean_dilatation =
+      b.mean_dilatation == "yes" ||
+      (b.mean_dilatation == "automatic" && material->is_split() &&
+       b.degree == 1 && mesh.all_reference_cells_are_hyper_cube());
+    return std::make_unique<SolidBody<dim>>(b.name,
+                                            mesh,
+                                            std::move(material),
+                                            b.degree,
+                                            mean_dilatation,
+                                            communicator);
+  }
+
+
+  template <int dim>
+  std::unique_ptr<Body<dim>>
+  Simulation<dim>::make_shell(const BodyParameters &b) const
+  {
+    if constexpr (dim == 3)
+      {
+        Triangulation<2, 3> mesh;
+        make_shell_mesh(b.mesh, mesh);
+        const std::unique_ptr<Material> material = b.material.make();
+        ShellParameters                 shell;
+        shell.section           = {b.material.youngs_modulus,
+                                   b.material.poissons_ratio,
+                                   b.thickness,
+                                   b.material.density};
+        shell.director_scale    = b.director_scale;
+        shell.is_turned         = b.is_turned;
+        shell.contact_modulus   = material->contact_modulus;
+        shell.contact_thickness = b.thickness;
+        std::vector<SymmetryPlane> planes;
+        for (const BoundaryCondition &c : scene.conditions)
+          if (c.body == b.name && c.type == BoundaryCondition::Type::symmetry)
+            planes.emplace_back(c.boundaries, c.plane_normal);
+        return std::make_unique<ShellBody>(
+          b.name, mesh, shell, planes, communicator);
+      }
+    else
+      {
+        AssertThrow(false,
+                    ExcMessage("'Type' is 'shell' but 'Dimension' is 2; "
+                               "expected 3."));
+        return nullptr;
+      }
+  }
+
+
+  template <int dim>
   void
   Simulation<dim>::setup()
   {
     TimerOutput::Scope scope(timer, "setup");
     for (const BodyParameters &b : scene.bodies)
       {
-        Triangulation<dim> mesh;
         try
           {
-            make_mesh<dim>(b.mesh, mesh);
-            std::unique_ptr<Material> material = b.material.make();
-            const bool                mean_dilatation =
-              b.mean_dilatation == "yes" ||
-              (b.mean_dilatation == "automatic" && material->is_split() &&
-               b.degree == 1 && mesh.all_reference_cells_are_hyper_cube());
-            model.bodies.push_back(
-              std::make_unique<Body<dim>>(b.name,
-                                          mesh,
-                                          std::move(material),
-                                          b.degree,
-                                          mean_dilatation,
-                                          communicator));
+            model.bodies.push_back(b.is_shell ? make_shell(b) : make_solid(b));
           }
-        catch (const ExcMessage &e)
+        catch (const ExceptionBase &e)
           {
             std::ostringstream info;
             e.print_info(info);
@@ -117,7 +161,9 @@ namespace Structure
       }
     for (const BoundaryCondition &c : scene.conditions)
       {
-        const auto ids = model.body(c.body).triangulation.get_boundary_ids();
+        if (!c.point.empty() || c.on_surface)
+          continue;
+        const auto ids = model.body(c.body).boundary_ids();
         for (const auto id : c.boundaries)
           {
             std::string known;
@@ -180,23 +226,7 @@ namespace Structure
                     interface->add_primary(*rigid);
                   continue;
                 }
-              const Body<dim> &b       = model.body(part.body);
-              const double     modulus = b.material->contact_modulus;
-              const auto of_cell = [modulus](const auto &) { return modulus; };
-              if (secondary)
-                interface->add_secondary(b.dof_handler,
-                                         *b.mapping,
-                                         part.faces,
-                                         of_cell,
-                                         b.name,
-                                         b.numbering);
-              else
-                interface->add_primary(b.dof_handler,
-                                       *b.mapping,
-                                       part.faces,
-                                       of_cell,
-                                       b.name,
-                                       b.numbering);
+              model.body(part.body).add_to(*interface, secondary, part.faces);
             }
         interface->setup();
         model.interfaces.push_back(std::move(interface));
@@ -207,30 +237,8 @@ namespace Structure
     // the nodes nearest to the probes
     for (const ProbeParameters &p : scene.output.probes)
       {
-        const Body<dim> &b = model.body(p.body);
-        Point<dim>       x;
-        for (unsigned int i = 0; i < dim; ++i)
-          x[i] = p.point[i];
-        double                                   best = 1e300;
-        std::array<types::global_dof_index, dim> dofs = {};
-        std::vector<types::global_dof_index> of_cell(b.fe->n_dofs_per_cell());
-        const FiniteElement<dim>            &scalar = b.fe->base_element(0);
-        for (const auto &cell : b.dof_handler.active_cell_iterators())
-          for (unsigned int k = 0; k < scalar.n_dofs_per_cell(); ++k)
-            {
-              const double d =
-                x.distance(b.mapping->transform_unit_to_real_cell(
-                  cell, scalar.unit_support_point(k)));
-              if (d < best)
-                {
-                  best = d;
-                  cell->get_dof_indices(of_cell);
-                  for (unsigned int i = 0; i < dim; ++i)
-                    dofs[i] = b.numbering(
-                      of_cell[b.fe->component_to_system_index(i, k)]);
-                }
-            }
-        probe_dofs.push_back(dofs);
+        probe_dofs.push_back(
+          model.body(p.body).nearest_node(point_of<dim>(p.point)).dofs);
       }
   }
 
@@ -240,10 +248,9 @@ namespace Structure
   Simulation<dim>::report_setup()
   {
     for (const auto &b : model.bodies)
-      log.line("Body '" + b->name + "': " +
-               std::to_string(b->triangulation.n_global_active_cells()) +
-               " cells, " + std::to_string(b->dof_handler.n_dofs()) + " dofs" +
-               (b->mean_dilatation ? ", mean dilatation" : ""));
+      log.line("Body '" + b->name + "': " + std::to_string(b->n_cells()) +
+               " cells, " + std::to_string(b->n_dofs()) + " dofs" +
+               b->description());
     log.line("Model: " + std::to_string(model.n_dofs()) + " dofs on " +
              std::to_string(Utilities::MPI::n_mpi_processes(communicator)) +
              " rank(s), about " +
@@ -311,6 +318,10 @@ namespace Structure
     model.integration.start_step(new_time - time);
     last_newton = NewtonResult();
     bool again  = true;
+    bool mixed_points =
+      std::any_of(model.bodies.begin(), model.bodies.end(), [](const auto &b) {
+        return b->uses_iterates();
+      });
     while (again)
       {
         const NewtonResult solved = solve_step(
@@ -320,6 +331,7 @@ namespace Structure
           new_time,
           u,
           trial,
+          mixed_points,
           [&](const NewtonIterate &i) {
             std::ostringstream out;
             out << "    iteration " << i.iteration << "  residual "
@@ -341,6 +353,16 @@ namespace Structure
         last_newton.iterations += solved.iterations;
         last_newton.linear_iterations += solved.linear_iterations;
         again = false;
+        if (!solved.converged && mixed_points)
+          {
+            log.line("    " + solved.failure +
+                     " with extrapolated stresses of shells; again without");
+            mixed_points = false;
+            trial        = u;
+            for (const auto &interface : model.interfaces)
+              interface->rollback();
+            again = true;
+          }
         if (solved.converged)
           for (const auto &interface : model.interfaces)
             again = interface->augment() || again;

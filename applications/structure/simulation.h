@@ -79,6 +79,12 @@ namespace Structure
     probe(const unsigned int p) const;
 
   private:
+    std::unique_ptr<Body<dim>>
+    make_solid(const BodyParameters &parameters) const;
+
+    std::unique_ptr<Body<dim>>
+    make_shell(const BodyParameters &parameters) const;
+
     /// One try; empty: accepted.
     std::string
     try_step(const double new_time);

@@ -58,16 +58,27 @@ namespace MortarContact
                              const DoFNumbering       &numbering,
                              const unsigned int        first_component)
   {
+    add_facets(side,
+               extract_surface<dim>(dof_handler,
+                                    mapping,
+                                    selection,
+                                    modulus_of_cell,
+                                    part,
+                                    numbering,
+                                    first_component,
+                                    communicator),
+               part);
+  }
+
+
+  template <int dim>
+  void
+  ContactInterface<dim>::add_facets(
+    const unsigned int                    side,
+    const std::vector<SurfaceFacet<dim>> &facets,
+    const std::string                    &part)
+  {
     begin_adding();
-    const std::vector<SurfaceFacet<dim>> facets =
-      extract_surface<dim>(dof_handler,
-                           mapping,
-                           selection,
-                           modulus_of_cell,
-                           part,
-                           numbering,
-                           first_component,
-                           communicator);
     AssertThrow(Utilities::MPI::sum(facets.size(), communicator) > 0,
                 ExcMessage("Interface '" + name + "': the " + side_names[side] +
                            " surface of '" + part +
@@ -117,6 +128,50 @@ namespace MortarContact
         part,
         numbering,
         first_component);
+  }
+
+
+  template <int dim>
+  void
+  ContactInterface<dim>::add_secondary(
+    const DoFHandler<dim - 1, dim> &dof_handler,
+    const FaceSelection            &selection,
+    const ShellSkin<dim>           &skin,
+    const std::string              &part,
+    const DoFNumbering             &numbering)
+  {
+    add_shell(0, dof_handler, selection, skin, part, numbering);
+  }
+
+
+  template <int dim>
+  void
+  ContactInterface<dim>::add_primary(
+    const DoFHandler<dim - 1, dim> &dof_handler,
+    const FaceSelection            &selection,
+    const ShellSkin<dim>           &skin,
+    const std::string              &part,
+    const DoFNumbering             &numbering)
+  {
+    add_shell(1, dof_handler, selection, skin, part, numbering);
+  }
+
+
+  template <int dim>
+  void
+  ContactInterface<dim>::add_shell(const unsigned int              side,
+                                   const DoFHandler<dim - 1, dim> &dof_handler,
+                                   const FaceSelection            &selection,
+                                   ShellSkin<dim>                  skin,
+                                   const std::string              &part,
+                                   const DoFNumbering             &numbering)
+  {
+    if (parameters.thickness > 0.)
+      skin.thickness = parameters.thickness;
+    skin.thickness *= parameters.thickness_scale;
+    add_facets(side,
+               extract_shell(dof_handler, selection, skin, part, numbering),
+               part);
   }
 
 

@@ -137,6 +137,16 @@ namespace MortarContact
                       "report and drop the contact of these facets, or reject "
                       "the step and cut it back. never: the pressure grows "
                       "without bound before it is reached.");
+    prm.declare_entry("Thickness",
+                      "0.0",
+                      Patterns::Double(0.),
+                      "That shells have for contact [length]; 0: their own "
+                      "(SST for shells).");
+    prm.declare_entry("Thickness scale",
+                      "1.0",
+                      Patterns::Double(0.),
+                      "Factor on the thickness of shells for contact [-] "
+                      "(SFST).");
     prm.declare_entry("Secondary offset",
                       "0.0",
                       Patterns::Double(),
@@ -242,9 +252,14 @@ namespace MortarContact
     augmentation.is_on     = prm.get("Augmentation") == "Uzawa";
     augmentation.tolerance = prm.get_double("Penetration tolerance");
     augmentation.most      = prm.get_integer("Largest number of augmentations");
-    tool_normals     = (prm.get("Tool normals") == "turn") ? ToolNormals::turn :
-                                                             ToolNormals::check;
-    smoothing        = prm.get_double("Stiffness smoothing");
+    tool_normals    = (prm.get("Tool normals") == "turn") ? ToolNormals::turn :
+                                                            ToolNormals::check;
+    smoothing       = prm.get_double("Stiffness smoothing");
+    thickness       = prm.get_double("Thickness");
+    thickness_scale = prm.get_double("Thickness scale");
+    AssertThrow(thickness_scale > 0.,
+                ExcMessage("'Thickness scale' is 0; expected a positive "
+                           "number."));
     secondary_offset = prm.get_double("Secondary offset");
     primary_offset   = prm.get_double("Primary offset");
     for (unsigned int i = 0; i < treatments.size(); ++i)

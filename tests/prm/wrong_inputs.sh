@@ -134,6 +134,30 @@ refuse "MPAR2|Deepest initial penetration|1.5" "$fit" "$ring" --set "Contact/Dee
 refuse "Hardness|120" "$fit" "$ring" --set "Rubber/Hardness=120"
 refuse "checkpoint|no such file" "$scene" "$punch" --restart "$work/no_run"
 
+# shells
+strip="$prm/verification/shell_cantilever.prm" shear="Boundary conditions/shear"
+set_strip() {
+  local words=$1
+  shift
+  local arguments=()
+  for setting in "$@"; do arguments+=(--set "$setting"); done
+  refuse "$words" "$scene" "$strip" "${arguments[@]}"
+}
+set_strip "Thickness|shell" "Bodies/strip/Thickness=0"
+set_strip "Thickness|solid" "Bodies/strip/Type=solid"
+set_strip "shell|Degree" "Bodies/strip/Degree=2"
+set_strip "strip|Mesh/Type|ball|box" "Bodies/strip/Mesh/Type=ball"
+set_strip "Map|2 components|3" "Bodies/strip/Mesh/Map=x; y"
+set_strip "strip|0 or 180 degrees" "Bodies/strip/Mesh/Map=x; x; 0"
+set_strip "shear|Plane normal" "$shear/Type=symmetry" "$shear/z=free"
+set_strip "shear|On surface|pressure" "$shear/Type=pressure" "$shear/z=free" "$shear/Pressure=1"
+set_strip "Point|traction" "$shear/Type=symmetry" "$shear/z=free" "$shear/Point=1,0,0"
+set_strip "shear|Point|2 numbers" "$shear/Point=1, 0"
+set_strip "shear|Boundary ids|7" "$shear/Boundary ids=7"
+set_punch "solid|Directors|shell" "Boundary conditions/base/Directors=fixed"
+set_punch "Secondary|block|not a shell" "$c/Secondary=block: top"
+set_punch "Thickness scale|positive" "$c/Thickness scale=0"
+
 set_punch "File|bad.msh|gmsh" "$b/Mesh/Type=file" "$b/Mesh/File=$work/bad.msh"
 # a folder that cannot be made
 : > "$work/file"

@@ -5,6 +5,7 @@
 // Scenes as text, built and run in tests.
 
 #include <structure/simulation.h>
+#include <structure/solid_body.h>
 
 #include <gtest/gtest.h>
 
@@ -143,18 +144,19 @@ namespace Test
                 const std::string     &name,
                 const Function        &function)
   {
-    const Body<dim>   &b       = s.model.body(name);
-    const Vector_t     ghosted = s.model.ghosted(s.u);
-    Element<dim>       element(b);
-    Vector<double>     values, forces(b.fe->n_dofs_per_cell());
-    FullMatrix<double> none;
+    const Vector_t                       ghosted = s.model.ghosted(s.u);
+    Vector<double>                       values;
     std::vector<types::global_dof_index> dofs;
-    for (const auto &cell : b.dof_handler.active_cell_iterators())
-      if (cell->is_locally_owned())
+    for (const auto &b : s.model.bodies)
+      if (b->name == name)
         {
-          s.model.cell_values(b, cell, ghosted, values, dofs);
-          element.evaluate(cell, values, false, forces, none);
-          function(cell->center(), element.state());
+          auto &body = dynamic_cast<SolidBody<dim> &>(*b);
+          for (unsigned int cell = 0; cell < body.n_local_cells(); ++cell)
+            {
+              s.model.cell_values(body, cell, ghosted, values, dofs);
+              body.energy(cell, values);
+              function(body.centre_of(cell), body.state());
+            }
         }
   }
 } // namespace Test

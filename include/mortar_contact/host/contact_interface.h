@@ -83,6 +83,22 @@ namespace MortarContact
                 const DoFNumbering       &numbering       = {},
                 const unsigned int        first_component = 0);
 
+    /// Add outer surfaces of a shell, see ShellSkin, its thickness changed as
+    /// the parameters say; dofs are numbered in the matrix as @p numbering
+    /// says.
+    void
+    add_secondary(const DoFHandler<dim - 1, dim> &dof_handler,
+                  const FaceSelection            &selection,
+                  const ShellSkin<dim>           &skin,
+                  const std::string              &part      = "secondary",
+                  const DoFNumbering             &numbering = {});
+    void
+    add_primary(const DoFHandler<dim - 1, dim> &dof_handler,
+                const FaceSelection            &selection,
+                const ShellSkin<dim>           &skin,
+                const std::string              &part      = "primary",
+                const DoFNumbering             &numbering = {});
+
     /// Add a rigid body with facets to the secondary surface.
     void
     add_secondary(const std::shared_ptr<RigidBody<dim>> &body);
@@ -262,6 +278,19 @@ namespace MortarContact
         const std::string        &part,
         const DoFNumbering       &numbering,
         const unsigned int        first_component);
+
+    void
+    add_shell(const unsigned int              side,
+              const DoFHandler<dim - 1, dim> &dof_handler,
+              const FaceSelection            &selection,
+              ShellSkin<dim>                  skin,
+              const std::string              &part,
+              const DoFNumbering             &numbering);
+
+    void
+    add_facets(const unsigned int                    side,
+               const std::vector<SurfaceFacet<dim>> &facets,
+               const std::string                    &part);
 
     void
     add_rigid(const unsigned int                     side,

@@ -20,6 +20,30 @@ namespace MortarContact
   {
     std::set<types::boundary_id> boundaries;
     std::set<types::material_id> materials;
+    /// Of shells: the facets above and below the cells, and on free edges
+    /// (those with the boundary ids above).
+    bool top = true, bottom = true, edges = true;
+  };
+
+  /**
+   * What a shell shows to contact. The position of a point of its outer
+   * surfaces is r +- (thickness/2) d, r = R + v the middle surface and
+   * d = D + q/s the director; v and q are components of the shell's finite
+   * element, which is linear.
+   */
+  template <int dim>
+  struct ShellSkin
+  {
+    double       thickness                = 0.; ///< Between top and bottom [m].
+    double       director_scale           = 1.; ///< s [m]
+    double       modulus                  = 0.; ///< Contact modulus [Pa].
+    unsigned int first_component          = 0;  ///< v
+    unsigned int first_director_component = dim; ///< q
+    /// D at a vertex, by its number in the triangulation; out of the top.
+    std::function<Tensor<1, dim>(const unsigned int)> director;
+    /// By active cell: +1 if the top is where the cell's own normal points
+    /// (x_,r x x_,s; in 2d x_,r turned to the left), else -1.
+    std::function<int(const unsigned int)> orientation;
   };
 
   /// Faces with one of these boundary ids.
@@ -68,6 +92,21 @@ namespace MortarContact
                   const DoFNumbering       &numbering,
                   const unsigned int        first_component,
                   const MPI_Comm            communicator);
+
+  /**
+   * Facets of a shell's outer surfaces: top, bottom, and flat facets as wide as
+   * the shell is thick on its free edges. Vertices are affine functions of v
+   * and q, so that contact forces bend the shell without more ado.
+   *
+   * The characteristic length is the thickness (as LS-DYNA).
+   */
+  template <int dim>
+  std::vector<SurfaceFacet<dim>>
+  extract_shell(const DoFHandler<dim - 1, dim> &dof_handler,
+                const FaceSelection            &selection,
+                const ShellSkin<dim>           &skin,
+                const std::string              &part,
+                const DoFNumbering             &numbering);
 } // namespace MortarContact
 
 #endif

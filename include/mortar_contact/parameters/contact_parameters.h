@@ -69,6 +69,8 @@ namespace MortarContact
     Release     release                = Release::cut_back;
     double      secondary_offset       = 0.; ///< [m]
     double      primary_offset         = 0.; ///< [m]
+    double      thickness       = 0.; ///< Of shells, SST [m]; 0: their own.
+    double      thickness_scale = 1.; ///< SFST
 
     InitialPenetration initial_penetration = InitialPenetration::stress;
     double             initial_pressure    = 0.; ///< MPAR1 for ignore [Pa]

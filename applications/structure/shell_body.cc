@@ -1,0 +1,411 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "shell_body.h"
+
+#include "partition.h"
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <deal.II/dofs/dof_tools.h>
+
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_simplex_p.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/mapping_fe.h>
+#include <deal.II/fe/mapping_q.h>
+
+#include <deal.II/numerics/data_out.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace Structure
+{
+  namespace
+  {
+    /// Points and weights on the reference cell, exact for the bilinear
+    /// products of loads.
+    Quadrature<2>
+    rule(const unsigned int n_nodes)
+    {
+      if (n_nodes == 3)
+        return QGaussSimplex<2>(2);
+      return QGauss<2>(2);
+    }
+  } // namespace
+
+
+  ShellBody::ShellBody(const std::string                &name,
+                       const Triangulation<2, 3>        &mesh,
+                       const ShellParameters            &parameters,
+                       const std::vector<SymmetryPlane> &planes,
+                       const MPI_Comm                    communicator)
+    : Body<3>(name)
+    , parameters(parameters)
+    , triangulation(
+        communicator,
+        Triangulation<2, 3>::none,
+        false,
+        parallel::shared::Triangulation<2, 3>::partition_custom_signal)
+    , dof_handler(triangulation)
+  {
+    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+    for (auto *signal : {&triangulation.signals.create,
+                         &triangulation.signals.post_refinement})
+      signal->connect(
+        [this, n_ranks]() { partition_in_slices(triangulation, n_ranks); });
+    triangulation.copy_triangulation(mesh);
+
+    const bool simplices = triangulation.all_reference_cells_are_simplex();
+    AssertThrow(simplices || triangulation.all_reference_cells_are_hyper_cube(),
+                ExcMessage("the mesh mixes cell types; expected "
+                           "quadrilaterals only or triangles only."));
+    if (simplices)
+      fe = std::make_unique<FESystem<2, 3>>(FE_SimplexP<2, 3>(1), 6);
+    else
+      fe = std::make_unique<FESystem<2, 3>>(FE_Q<2, 3>(1), 6);
+    dof_handler.distribute_dofs(*fe);
+
+    orientation = orient(triangulation);
+    if (parameters.is_turned)
+      for (int &sign : orientation)
+        sign = -sign;
+    directors = directors_of(triangulation, orientation, planes);
+
+    scale = parameters.director_scale;
+    if (scale == 0.)
+      {
+        for (const auto &cell : triangulation.active_cell_iterators())
+          scale += cell->diameter() / std::sqrt(2.);
+        scale /= triangulation.n_active_cells();
+      }
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          std::vector<Tensor<1, 3>> R, D;
+          for (const unsigned int v : cell->vertex_indices())
+            {
+              R.push_back(cell->vertex(v));
+              D.push_back(directors[cell->vertex_index(v)]);
+            }
+          local_cells.push_back(cell);
+          elements.emplace_back(R, D, parameters.section, scale);
+        }
+  }
+
+
+  std::string
+  ShellBody::description() const
+  {
+    std::ostringstream text;
+    text << ", shell of thickness " << parameters.section.thickness
+         << " (St. Venant-Kirchhoff)";
+    return text.str();
+  }
+
+
+  double
+  ShellBody::shear_modulus() const
+  {
+    return parameters.section.youngs_modulus /
+           (2. * (1. + parameters.section.poissons_ratio));
+  }
+
+
+  void
+  ShellBody::add_constraints(AffineConstraints<double> &constraints) const
+  {
+    DoFTools::make_hanging_node_constraints(dof_handler, constraints);
+  }
+
+
+  void
+  ShellBody::dofs_of(const unsigned int                    cell,
+                     std::vector<types::global_dof_index> &dofs) const
+  {
+    dofs.resize(fe->n_dofs_per_cell());
+    local_cells[cell]->get_dof_indices(dofs);
+    for (auto &d : dofs)
+      d = numbering(d);
+  }
+
+
+  std::string
+  ShellBody::name_of(const unsigned int cell) const
+  {
+    std::ostringstream text;
+    text.precision(4);
+    text << "cell " << local_cells[cell]->global_active_cell_index() << " of '"
+         << name << "' at (" << local_cells[cell]->center() << ")";
+    return text.str();
+  }
+
+
+  bool
+  ShellBody::evaluate(const unsigned int    cell,
+                      const Vector<double> &u,
+                      const Vector<double> *previous,
+                      const bool            with_tangent,
+                      Vector<double>       &forces,
+                      FullMatrix<double>   &tangent)
+  {
+    elements[cell].evaluate(u, with_tangent, previous, forces, tangent);
+    return std::isfinite(forces.l2_norm());
+  }
+
+
+  double
+  ShellBody::energy(const unsigned int cell, const Vector<double> &u)
+  {
+    return elements[cell].energy(u);
+  }
+
+
+  void
+  ShellBody::mass(const unsigned int cell, FullMatrix<double> &matrix)
+  {
+    elements[cell].mass(matrix);
+  }
+
+
+  void
+  ShellBody::add_load(const unsigned int    cell,
+                      Load<3>              &load,
+                      const Vector<double> &u,
+                      const double          time,
+                      Vector<double>       &forces,
+                      FullMatrix<double>   &tangent)
+  {
+    using Type           = Load<3>::Type;
+    const Cell         c = local_cells[cell];
+    const unsigned int n = c->n_vertices();
+    const auto dead = [&](const Point<3> &x, const double w, const auto &N) {
+      for (unsigned int i = 0; i < 3; ++i)
+        if (load.of_component[i] >= 0)
+          {
+            const double f =
+              w * load.formulas[load.of_component[i]].value(x, time);
+            for (unsigned int a = 0; a < n; ++a)
+              forces(6 * a + i) += f * N[a];
+          }
+    };
+
+    if (load.type != Type::body_force && !load.on_surface)
+      {
+        // edges: exact for linear tractions
+        for (const unsigned int f : c->face_indices())
+          {
+            if (!c->face(f)->at_boundary() ||
+                load.boundaries.count(c->face(f)->boundary_id()) == 0)
+              continue;
+            std::vector<unsigned int> ends;
+            for (const unsigned int v : c->vertex_indices())
+              for (const unsigned int w : c->face(f)->vertex_indices())
+                if (c->vertex_index(v) == c->face(f)->vertex_index(w))
+                  ends.push_back(v);
+            const QGauss<1> gauss(2);
+            for (unsigned int q = 0; q < gauss.size(); ++q)
+              {
+                std::vector<double> N(n, 0.);
+                N[ends[0]] = 1. - gauss.point(q)[0];
+                N[ends[1]] = gauss.point(q)[0];
+                const Point<3> x =
+                  c->vertex(ends[0]) +
+                  N[ends[1]] * (c->vertex(ends[1]) - c->vertex(ends[0]));
+                dead(x, gauss.weight(q) * c->face(f)->measure(), N);
+              }
+          }
+        return;
+      }
+
+    const FiniteElement<2, 3> &scalar = fe->base_element(0);
+    const Quadrature<2>        points = rule(n);
+    const int                  top    = orientation[c->active_cell_index()];
+    for (unsigned int q = 0; q < points.size(); ++q)
+      {
+        std::vector<double>       N(n);
+        std::vector<Tensor<1, 2>> dN(n);
+        Point<3>                  X;
+        Tensor<1, 3>              X_r, X_s, x_r, x_s;
+        for (unsigned int a = 0; a < n; ++a)
+          {
+            N[a]                 = scalar.shape_value(a, points.point(q));
+            dN[a]                = scalar.shape_grad(a, points.point(q));
+            const Tensor<1, 3> R = c->vertex(a);
+            const Tensor<1, 3> r =
+              R + Tensor<1, 3>({u(6 * a), u(6 * a + 1), u(6 * a + 2)});
+            X += N[a] * R;
+            X_r += dN[a][0] * R;
+            X_s += dN[a][1] * R;
+            x_r += dN[a][0] * r;
+            x_s += dN[a][1] * r;
+          }
+        const double w = points.weight(q);
+        if (load.type != Type::pressure)
+          {
+            const double per_volume =
+              load.type == Type::body_force ? parameters.section.thickness : 1.;
+            dead(X, per_volume * w * cross_product_3d(X_r, X_s).norm(), N);
+            continue;
+          }
+        // against the top: - p (x_r x x_s) of the present shape
+        const double       p = top * w * load.formulas[0].value(X, time);
+        const Tensor<1, 3> m = cross_product_3d(x_r, x_s);
+        for (unsigned int a = 0; a < n; ++a)
+          for (unsigned int i = 0; i < 3; ++i)
+            forces(6 * a + i) -= p * m[i] * N[a];
+        if (tangent.empty())
+          continue;
+        for (unsigned int b = 0; b < n; ++b)
+          for (unsigned int k = 0; k < 3; ++k)
+            {
+              Tensor<1, 3> e;
+              e[k]                  = 1.;
+              const Tensor<1, 3> dm = dN[b][0] * cross_product_3d(e, x_s) +
+                                      dN[b][1] * cross_product_3d(x_r, e);
+              for (unsigned int a = 0; a < n; ++a)
+                for (unsigned int i = 0; i < 3; ++i)
+                  tangent(6 * a + i, 6 * b + k) += p * dm[i] * N[a];
+            }
+      }
+  }
+
+
+  DoFPlace<3>
+  ShellBody::place_of(const unsigned int cell, const unsigned int dof) const
+  {
+    const unsigned int vertex = dof / 6, component = dof % 6;
+    const Point<3>     x = local_cells[cell]->vertex(vertex);
+    return {x,
+            component,
+            component < 3 ?
+              Tensor<1, 3>(x) :
+              scale * directors[local_cells[cell]->vertex_index(vertex)]};
+  }
+
+
+  BoundaryNode<3>
+  ShellBody::node_of(const Cell &cell, const unsigned int vertex) const
+  {
+    BoundaryNode<3> node;
+    node.x            = cell->vertex(vertex);
+    node.has_director = true;
+    for (unsigned int i = 0; i < 3; ++i)
+      {
+        node.dofs[i] = numbering(cell->vertex_dof_index(vertex, i));
+        node.director_dofs[i] =
+          numbering(cell->vertex_dof_index(vertex, 3 + i));
+      }
+    return node;
+  }
+
+
+  void
+  ShellBody::visit_boundary_nodes(
+    const std::set<types::boundary_id>                 &ids,
+    const std::function<void(const BoundaryNode<3> &)> &visit) const
+  {
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      for (const unsigned int f : cell->face_indices())
+        if (cell->face(f)->at_boundary() &&
+            ids.count(cell->face(f)->boundary_id()) > 0)
+          for (const unsigned int v : cell->vertex_indices())
+            for (const unsigned int w : cell->face(f)->vertex_indices())
+              if (cell->vertex_index(v) == cell->face(f)->vertex_index(w))
+                visit(node_of(cell, v));
+  }
+
+
+  BoundaryNode<3>
+  ShellBody::nearest_node(const Point<3> &x) const
+  {
+    double          best = std::numeric_limits<double>::max();
+    BoundaryNode<3> nearest;
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      for (const unsigned int v : cell->vertex_indices())
+        if (x.distance(cell->vertex(v)) < best)
+          {
+            best    = x.distance(cell->vertex(v));
+            nearest = node_of(cell, v);
+          }
+    return nearest;
+  }
+
+
+  void
+  ShellBody::add_to(MortarContact::ContactInterface<3> &interface,
+                    const bool                          secondary,
+                    const MortarContact::FaceSelection &faces) const
+  {
+    MortarContact::ShellSkin<3> skin;
+    skin.thickness      = parameters.contact_thickness;
+    skin.director_scale = scale;
+    skin.modulus        = parameters.contact_modulus;
+    skin.director       = [this](const unsigned int vertex) {
+      return directors[vertex];
+    };
+    skin.orientation = [this](const unsigned int cell) {
+      return orientation[cell];
+    };
+    // boundary ids are those of edges
+    MortarContact::FaceSelection chosen = faces;
+    if (!faces.boundaries.empty())
+      chosen.top = chosen.bottom = false;
+    if (secondary)
+      interface.add_secondary(dof_handler, chosen, skin, name, numbering);
+    else
+      interface.add_primary(dof_handler, chosen, skin, name, numbering);
+  }
+
+
+  void
+  ShellBody::write(const ValuesOfCell &values_of_cell,
+                   const std::string  &file,
+                   const MPI_Comm      communicator)
+  {
+    Vector<double>     fields(dof_handler.n_dofs());
+    const unsigned int n_cells = triangulation.n_active_cells();
+    Vector<double>     top(n_cells), middle(n_cells), bottom(n_cells);
+    std::vector<types::global_dof_index> dofs(fe->n_dofs_per_cell());
+    for (unsigned int i = 0; i < local_cells.size(); ++i)
+      {
+        const Vector<double> &values = values_of_cell(i);
+        local_cells[i]->get_dof_indices(dofs);
+        for (unsigned int a = 0; a < dofs.size(); ++a)
+          fields(dofs[a]) = values(a) / (a % 6 < 3 ? 1. : scale);
+        const auto mises = [&](const double height) {
+          const auto s = elements[i].stress(values, height);
+          return std::sqrt(s[0] * s[0] + s[1] * s[1] - s[0] * s[1] +
+                           3. * s[2] * s[2]);
+        };
+        const unsigned int c = local_cells[i]->active_cell_index();
+        top(c)               = mises(1.);
+        middle(c)            = mises(0.);
+        bottom(c)            = mises(-1.);
+      }
+
+    using Kind = DataComponentInterpretation::DataComponentInterpretation;
+    std::vector<std::string> names(3, "displacement");
+    names.insert(names.end(), 3, "director_change");
+    DataOut<2, 3> data_out;
+    data_out.attach_dof_handler(dof_handler);
+    data_out.add_data_vector(
+      fields,
+      names,
+      DataOut<2, 3>::type_dof_data,
+      std::vector<Kind>(
+        6, DataComponentInterpretation::component_is_part_of_vector));
+    data_out.add_data_vector(top,
+                             "von_Mises_top",
+                             DataOut<2, 3>::type_cell_data);
+    data_out.add_data_vector(middle,
+                             "von_Mises_middle",
+                             DataOut<2, 3>::type_cell_data);
+    data_out.add_data_vector(bottom,
+                             "von_Mises_bottom",
+                             DataOut<2, 3>::type_cell_data);
+    data_out.build_patches();
+    data_out.write_vtu_in_parallel(file, communicator);
+  }
+} // namespace Structure

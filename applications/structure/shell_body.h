@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef mortar_contact_structure_shell_body_h
+#define mortar_contact_structure_shell_body_h
+
+#include "body.h"
+#include "shell_directors.h"
+#include "shell_element.h"
+
+#include <deal.II/distributed/shared_tria.h>
+
+#include <deal.II/dofs/dof_handler.h>
+
+#include <deal.II/fe/fe_system.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Structure
+{
+  /// Settings of a shell besides its mesh.
+  struct ShellParameters
+  {
+    ShellSection section;
+    /// s of ShellElement [m]; 0: the mean diameter of the cells.
+    double director_scale = 0.;
+    bool   is_turned      = false; ///< Top and bottom exchanged.
+    /// Contact modulus [Pa], and what contact takes for the thickness [m].
+    double contact_modulus = 0., contact_thickness = 0.;
+  };
+
+  /**
+   * A shell: a mesh of quadrilaterals or triangles in space with the elements
+   * of ShellElement. Boundary ids are those of edges. Loads: traction on edges
+   * (force per undeformed length) or on the surface (per undeformed area);
+   * pressure on the surface, positive pushes on the top.
+   */
+  class ShellBody : public Body<3>
+  {
+  public:
+    ShellBody(const std::string                &name,
+              const Triangulation<2, 3>        &mesh,
+              const ShellParameters            &parameters,
+              const std::vector<SymmetryPlane> &planes,
+              const MPI_Comm                    communicator);
+
+    types::global_dof_index
+    n_dofs() const override
+    {
+      return dof_handler.n_dofs();
+    }
+
+    types::global_dof_index
+    n_owned_dofs() const override
+    {
+      return dof_handler.n_locally_owned_dofs();
+    }
+
+    unsigned int
+    n_dofs_per_cell() const override
+    {
+      return fe->n_dofs_per_cell();
+    }
+
+    types::global_dof_index
+    n_cells() const override
+    {
+      return triangulation.n_global_active_cells();
+    }
+
+    std::string
+    description() const override;
+
+    double
+    shear_modulus() const override;
+
+    bool
+    is_linear() const override
+    {
+      return false;
+    }
+
+    bool
+    uses_iterates() const override
+    {
+      return true;
+    }
+
+    std::vector<types::boundary_id>
+    boundary_ids() const override
+    {
+      return triangulation.get_boundary_ids();
+    }
+
+    const std::vector<Point<3>> &
+    vertices() const override
+    {
+      return triangulation.get_vertices();
+    }
+
+    void
+    add_constraints(AffineConstraints<double> &constraints) const override;
+
+    unsigned int
+    n_local_cells() const override
+    {
+      return local_cells.size();
+    }
+
+    void
+    dofs_of(const unsigned int                    cell,
+            std::vector<types::global_dof_index> &dofs) const override;
+
+    std::string
+    name_of(const unsigned int cell) const override;
+
+    bool
+    evaluate(const unsigned int    cell,
+             const Vector<double> &u,
+             const Vector<double> *previous,
+             const bool            with_tangent,
+             Vector<double>       &forces,
+             FullMatrix<double>   &tangent) override;
+
+    double
+    energy(const unsigned int cell, const Vector<double> &u) override;
+
+    void
+    mass(const unsigned int cell, FullMatrix<double> &matrix) override;
+
+    void
+    add_load(const unsigned int    cell,
+             Load<3>              &load,
+             const Vector<double> &u,
+             const double          time,
+             Vector<double>       &forces,
+             FullMatrix<double>   &tangent) override;
+
+    unsigned int
+    component_of(const unsigned int dof) const override
+    {
+      return dof % 6;
+    }
+
+    DoFPlace<3>
+    place_of(const unsigned int cell, const unsigned int dof) const override;
+
+    void
+    visit_boundary_nodes(
+      const std::set<types::boundary_id>                 &ids,
+      const std::function<void(const BoundaryNode<3> &)> &visit) const override;
+
+    BoundaryNode<3>
+    nearest_node(const Point<3> &x) const override;
+
+    void
+    add_to(MortarContact::ContactInterface<3> &interface,
+           const bool                          secondary,
+           const MortarContact::FaceSelection &faces) const override;
+
+    void
+    write(const ValuesOfCell &values_of_cell,
+          const std::string  &file,
+          const MPI_Comm      communicator) override;
+
+  private:
+    using Cell = DoFHandler<2, 3>::active_cell_iterator;
+
+    /// Node of a cell.
+    BoundaryNode<3>
+    node_of(const Cell &cell, const unsigned int vertex) const;
+
+    const ShellParameters                 parameters;
+    parallel::shared::Triangulation<2, 3> triangulation;
+    std::unique_ptr<FESystem<2, 3>>       fe;
+    DoFHandler<2, 3>                      dof_handler;
+    double                                scale = 0.;  ///< s [m]
+    std::vector<int>                      orientation; ///< By active cell.
+    std::vector<Tensor<1, 3>>             directors;   ///< By vertex.
+    std::vector<Cell>                     local_cells;
+    std::vector<ShellElement>             elements; ///< By local cell.
+  };
+} // namespace Structure
+
+#endif

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef mortar_contact_structure_shell_element_h
+#define mortar_contact_structure_shell_element_h
+
+#include <deal.II/base/tensor.h>
+
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <array>
+#include <vector>
+
+namespace Structure
+{
+  using namespace dealii;
+
+  /// Elastic shell: St. Venant-Kirchhoff, plane stress.
+  struct ShellSection
+  {
+    double youngs_modulus = 0.; ///< [Pa]
+    double poissons_ratio = 0.; ///< [-]
+    double thickness      = 0.; ///< [m]
+    double density        = 0.; ///< [kg/m^3]
+  };
+
+  /**
+   * Shell with extensible directors: quadrilateral (4 nodes) or triangle (3
+   * nodes). A point of the shell is x = r + z d, z in [-t/2, t/2], with the
+   * middle surface r = R + v and the director d = D + q/s interpolated from the
+   * nodes; v and q are the unknowns, s a length that makes both alike. There
+   * are no rotations: unknowns live in a vector space, and the outer surfaces
+   * r +- (t/2) d are linear in them.
+   *
+   * Green-Lagrange strains E = a + z b (the quadratic part in z is left out).
+   * All strains are taken at tying points, as *forms* c (x . y - X . Y) of
+   * vectors x, y that are linear in the nodal (r, d):
+   *   membrane  MITC4+ (Ko, Lee & Bathe 2017,
+   * doi:10.1016/j.compstruc.2016.11.004), without membrane locking on warped
+   * quadrilaterals shear     at the middles of the edges (Dvorkin & Bathe
+   * 1984), MITC3 (Lee & Bathe 2004) on triangles thickness at the nodes (Betsch
+   * & Stein 1995) bending   at the integration points, and on quadrilaterals
+   * four enhanced membrane modes (Simo & Rifai 1990), condensed once. The law
+   * is linear, hence the energy is 1/2 f^T Q f with a constant matrix Q and f
+   * the forms' values: exactly objective.
+   *
+   * The thickness strain is not coupled with those in the plane (its stiffness
+   * is 10 E, so that directors keep their length); the plane is in plane
+   * stress.
+   *
+   * Order of the dofs: by node v_x v_y v_z q_x q_y q_z, as FESystem has them.
+   */
+  class ShellElement
+  {
+  public:
+    using Vec = Tensor<1, 3>;
+
+    /**
+     * @param R Nodes: deal.II's order, (r, s) = (-,-), (+,-), (-,+), (+,+).
+     * @param D Directors at the nodes, out of the shell's top; of length 1
+     *          where the shell is smooth.
+     * @param director_scale s [m].
+     * @throw ExcMessage if the element has no area.
+     */
+    ShellElement(const std::vector<Vec> &R,
+                 const std::vector<Vec> &D,
+                 const ShellSection     &section,
+                 const double            director_scale);
+
+    /**
+     * Internal forces and tangent.
+     * @param u        Values of the dofs.
+     * @param previous Null, or the values at the iterate before: then the
+     *                 stresses of the geometric stiffness are those
+     * extrapolated from there (mixed integration point, Magisano, Leonetti &
+     *                 Garcea 2017): far fewer iterations in large steps.
+     */
+    void
+    evaluate(const Vector<double> &u,
+             const bool            with_tangent,
+             const Vector<double> *previous,
+             Vector<double>       &forces,
+             FullMatrix<double>   &tangent) const;
+
+    /// Strain energy [J].
+    double
+    energy(const Vector<double> &u) const;
+
+    /// Consistent mass matrix: rho t for v, rho t^3/12/s^2 for q; constant.
+    void
+    mass(FullMatrix<double> &M) const;
+
+    /**
+     * Second Piola-Kirchhoff stresses [Pa] in the plane, in the Cartesian axes
+     * of the middle (e_1 along the first edge), at z = height * t/2:
+     * 11, 22, 12.
+     */
+    std::array<double, 3>
+    stress(const Vector<double> &u, const double height) const;
+
+    /// Area of the undeformed middle surface [m^2].
+    double
+    area() const
+    {
+      return middle_area;
+    }
+
+    unsigned int
+    n_dofs() const
+    {
+      return 6 * R.size();
+    }
+
+  private:
+    /// Motion of (r_1.., d_1..).
+    std::vector<Vec>
+    motion(const Vector<double> &u) const;
+
+    /// The forms' values for a motion.
+    std::vector<double>
+    values(const std::vector<Vec> &motion) const;
+
+    const std::vector<Vec> R, D;
+    const ShellSection     section;
+    const double           scale;
+    double                 middle_area = 0.;
+    std::vector<Vec>       at_rest; ///< (R_1.., D_1..)
+    FullMatrix<double>     Q;
+    /// Cartesian strains in the middle by forms: membrane and bending, 3 rows.
+    FullMatrix<double> membrane_at_middle, bending_at_middle;
+    FullMatrix<double> shape_products; ///< int N_i N_j dA
+  };
+} // namespace Structure
+
+#endif

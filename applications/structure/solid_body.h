@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef mortar_contact_structure_solid_body_h
+#define mortar_contact_structure_solid_body_h
+
+#include "body.h"
+#include "element.h"
+#include "material.h"
+
+#include <deal.II/base/quadrature.h>
+
+#include <deal.II/distributed/shared_tria.h>
+
+#include <deal.II/dofs/dof_handler.h>
+
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/mapping.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Structure
+{
+  /**
+   * A deformable solid: its mesh (hexahedra or tetrahedra; quadrilaterals or
+   * triangles in plane strain), its finite element and its material.
+   */
+  template <int dim>
+  class SolidBody : public Body<dim>
+  {
+  public:
+    using ValuesOfCell = typename Body<dim>::ValuesOfCell;
+
+    /**
+     * @param mesh   The coarse mesh, with ids and manifolds set. Cells are
+     *               dealt to the ranks in slices along the longest direction.
+     * @param degree Of the displacements, 1 or 2.
+     * @param mean_dilatation Replace J by the cell's mean in the volumetric
+     *               energy (Q1P0): no locking for nearly incompressible solids.
+     */
+    SolidBody(const std::string        &name,
+              const Triangulation<dim> &mesh,
+              std::unique_ptr<Material> material,
+              const unsigned int        degree,
+              const bool                mean_dilatation,
+              const MPI_Comm            communicator);
+
+    types::global_dof_index
+    n_dofs() const override
+    {
+      return dof_handler.n_dofs();
+    }
+
+    types::global_dof_index
+    n_owned_dofs() const override
+    {
+      return dof_handler.n_locally_owned_dofs();
+    }
+
+    unsigned int
+    n_dofs_per_cell() const override
+    {
+      return fe->n_dofs_per_cell();
+    }
+
+    types::global_dof_index
+    n_cells() const override
+    {
+      return triangulation.n_global_active_cells();
+    }
+
+    std::string
+    description() const override
+    {
+      return mean_dilatation ? ", mean dilatation" : "";
+    }
+
+    double
+    shear_modulus() const override
+    {
+      return material->shear_modulus;
+    }
+
+    bool
+    is_linear() const override
+    {
+      return material->is_linear;
+    }
+
+    std::vector<types::boundary_id>
+    boundary_ids() const override
+    {
+      return triangulation.get_boundary_ids();
+    }
+
+    const std::vector<Point<dim>> &
+    vertices() const override
+    {
+      return triangulation.get_vertices();
+    }
+
+    void
+    add_constraints(AffineConstraints<double> &constraints) const override;
+
+    unsigned int
+    n_local_cells() const override
+    {
+      return local_cells.size();
+    }
+
+    void
+    dofs_of(const unsigned int                    cell,
+            std::vector<types::global_dof_index> &dofs) const override;
+
+    std::string
+    name_of(const unsigned int cell) const override;
+
+    bool
+    evaluate(const unsigned int    cell,
+             const Vector<double> &u,
+             const Vector<double> *previous,
+             const bool            with_tangent,
+             Vector<double>       &forces,
+             FullMatrix<double>   &tangent) override;
+
+    double
+    energy(const unsigned int cell, const Vector<double> &u) override;
+
+    void
+    mass(const unsigned int cell, FullMatrix<double> &matrix) override;
+
+    void
+    add_load(const unsigned int    cell,
+             Load<dim>            &load,
+             const Vector<double> &u,
+             const double          time,
+             Vector<double>       &forces,
+             FullMatrix<double>   &tangent) override;
+
+    unsigned int
+    component_of(const unsigned int dof) const override
+    {
+      return component[dof];
+    }
+
+    DoFPlace<dim>
+    place_of(const unsigned int cell, const unsigned int dof) const override;
+
+    void
+    visit_boundary_nodes(const std::set<types::boundary_id> &ids,
+                         const std::function<void(const BoundaryNode<dim> &)>
+                           &visit) const override;
+
+    BoundaryNode<dim>
+    nearest_node(const Point<dim> &x) const override;
+
+    void
+    add_to(MortarContact::ContactInterface<dim> &interface,
+           const bool                            secondary,
+           const MortarContact::FaceSelection   &faces) const override;
+
+    void
+    write(const ValuesOfCell &values_of_cell,
+          const std::string  &file,
+          const MPI_Comm      communicator) override;
+
+    /// Means over a cell at the last evaluate() or energy().
+    const CellState &
+    state() const
+    {
+      return element->state();
+    }
+
+    Point<dim>
+    centre_of(const unsigned int cell) const
+    {
+      return local_cells[cell]->center();
+    }
+
+    const std::unique_ptr<Material>      material;
+    const bool                           mean_dilatation;
+    parallel::shared::Triangulation<dim> triangulation;
+    std::unique_ptr<Mapping<dim>>        mapping;
+    std::unique_ptr<FESystem<dim>>       fe;
+    std::unique_ptr<Quadrature<dim>>     quadrature;
+    std::unique_ptr<Quadrature<dim - 1>> face_quadrature;
+    DoFHandler<dim>                      dof_handler;
+
+  private:
+    void
+    add_pressure(const FEFaceValues<dim> &face,
+                 Load<dim>               &load,
+                 const Vector<double>    &u,
+                 const double             time,
+                 Vector<double>          &forces,
+                 FullMatrix<double>      &tangent) const;
+
+    std::vector<typename DoFHandler<dim>::active_cell_iterator> local_cells;
+    std::unique_ptr<Element<dim>>                               element;
+    std::unique_ptr<FEValues<dim>>                              load_values;
+    std::unique_ptr<FEFaceValues<dim>>                          face_values;
+    std::vector<unsigned int> component; ///< By dof of a cell.
+  };
+} // namespace Structure
+
+#endif

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+// Outer surfaces of shells: closed, outward, and in balance.
+
+#include <mortar_contact/mortar_contact.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <deal.II/dofs/dof_handler.h>
+
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_system.h>
+
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <deal.II/lac/vector.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace dealii;
+using namespace MortarContact;
+
+namespace
+{
+  /// A flat square shell (strip in 2d), bent and moved by @p map.
+  template <int dim>
+  struct Plate
+  {
+    template <class Map>
+    Plate(const unsigned int n, const Map &map)
+      : fe(FE_Q<dim - 1, dim>(1), 2 * dim)
+      , dof_handler(mesh)
+    {
+      Triangulation<dim - 1> flat;
+      GridGenerator::subdivided_hyper_cube(flat, n);
+      GridGenerator::flatten_triangulation(flat, mesh);
+      GridTools::transform(map, mesh);
+      dof_handler.distribute_dofs(fe);
+    }
+
+    ShellSkin<dim>
+    skin(const Tensor<1, dim> &director, const int orientation = 1) const
+    {
+      ShellSkin<dim> s;
+      s.thickness      = 0.1;
+      s.director_scale = 0.3;
+      s.modulus        = 1000.;
+      s.director       = [director](const unsigned int) { return director; };
+      s.orientation = [orientation](const unsigned int) { return orientation; };
+      return s;
+    }
+
+    Triangulation<dim - 1, dim> mesh;
+    FESystem<dim - 1, dim>      fe;
+    DoFHandler<dim - 1, dim>    dof_handler;
+  };
+
+  template <int dim>
+  Facet<dim>
+  reference_of(const SurfaceFacet<dim> &f)
+  {
+    Facet<dim> facet;
+    facet.n_vertices = f.n_vertices;
+    for (unsigned int a = 0; a < f.n_vertices; ++a)
+      facet.x[a] = f.vertices[a].reference;
+    return facet;
+  }
+
+  /// A closed surface has no mean normal, and encloses the shell's volume
+  /// (divergence theorem).
+  template <int dim>
+  void
+  expect_closed(const Plate<dim>     &plate,
+                const ShellSkin<dim> &skin,
+                const double          volume)
+  {
+    const auto facets =
+      extract_shell<dim>(plate.dof_handler, {}, skin, "plate", {});
+    Tensor<1, dim> sum;
+    double         enclosed = 0.;
+    for (const auto &f : facets)
+      {
+        const Facet<dim>     facet = reference_of(f);
+        const Tensor<1, dim> n     = centre_normal(facet);
+        sum += area(facet) / n.norm() * n;
+        enclosed += area(facet) * (n / n.norm()) * centre(facet) / dim;
+      }
+    EXPECT_LT(sum.norm(), 1e-13);
+    EXPECT_NEAR(enclosed, volume, 1e-13);
+  }
+} // namespace
+
+
+TEST(ShellSkin, IsClosedAndEnclosesTheShell)
+{
+  {
+    const Plate<3> plate(3, [](const Point<3> &x) { return x; });
+    Tensor<1, 3>   up({0., 0., 1.});
+    expect_closed(plate, plate.skin(up), 0.1);
+    // the top below, where the mesh's own normal does not point
+    expect_closed(plate, plate.skin(-up, -1), 0.1);
+  }
+  {
+    const Plate<2> strip(5, [](const Point<2> &x) { return x; });
+    Tensor<1, 2>   up({0., 1.});
+    expect_closed(strip, strip.skin(up), 0.1);
+    expect_closed(strip, strip.skin(-up, -1), 0.1);
+  }
+}
+
+
+TEST(ShellSkin, FollowsTheDirectorsAndTellsTopFromBottom)
+{
+  const Plate<3>     plate(1, [](const Point<3> &x) { return x; });
+  const Tensor<1, 3> up({0., 0., 1.});
+  const auto         facets = extract_shell<3>(plate.dof_handler,
+                                       {{}, {}, true, false, false},
+                                       plate.skin(up),
+                                       "plate",
+                                       {});
+  ASSERT_EQ(facets.size(), 1u);
+  for (unsigned int a = 0; a < 4; ++a)
+    {
+      const auto &v = facets[0].vertices[a];
+      EXPECT_NEAR(v.reference[2], 0.05, 1e-15);
+      // x = X + v + t/(2 s) q
+      ASSERT_EQ(v.row.size(), 2u);
+      EXPECT_EQ(v.row[0].weight, 1.);
+      EXPECT_NEAR(v.row[1].weight, 0.05 / 0.3, 1e-15);
+    }
+  EXPECT_EQ(extract_shell<3>(plate.dof_handler,
+                             {{}, {}, false, false, true},
+                             plate.skin(up),
+                             "",
+                             {})
+              .size(),
+            4u);
+  EXPECT_THROW(extract_shell<3>(plate.dof_handler, {}, ShellSkin<3>(), "", {}),
+               ExceptionBase);
+}
+
+
+// THEORY T37: contact of two shells starts where their mid-surfaces are apart
+// by half of both thicknesses.
+TEST(ShellSkin, ContactStartsAtHalfOfBothThicknesses)
+{
+  const Tensor<1, 3> up({0., 0., 1.});
+  for (const double overlap : {-1e-9, 1e-3})
+    {
+      const Plate<3>      below(3, [](const Point<3> &x) { return x; });
+      const Plate<3>      above(4, [overlap](const Point<3> &x) {
+        return Point<3>(0.9 * x[0] + 0.05, 0.9 * x[1] + 0.05, 0.1 - overlap);
+      });
+      ContactParameters   p;
+      ContactInterface<3> contact("shells", p, MPI_COMM_SELF);
+      contact.add_secondary(below.dof_handler,
+                            {{}, {}, true, false, false},
+                            below.skin(up));
+      contact.add_primary(above.dof_handler,
+                          {{}, {}, false, true, false},
+                          above.skin(up),
+                          "above",
+                          DoFNumbering(below.dof_handler.n_dofs()));
+      contact.setup();
+      Vector<double> u(below.dof_handler.n_dofs() + above.dof_handler.n_dofs());
+      contact.update(u);
+      if (overlap < 0.)
+        EXPECT_EQ(contact.report().active_area, 0.);
+      else
+        {
+          EXPECT_NEAR(contact.report().active_area, 0.81, 1e-12);
+          EXPECT_NEAR(contact.report().largest_penetration, overlap, 1e-12);
+        }
+    }
+}
+
+
+TEST(ShellSkin, ForcesOfBentShellsAreInBalanceAndTheTangentIsTheirDerivative)
+{
+  const Tensor<1, 3> up({0., 0., 1.});
+  const Plate<3>     below(3, [](const Point<3> &x) { return x; });
+  const Plate<3>     above(2, [](const Point<3> &x) {
+    return Point<3>(0.9 * x[0] + 0.05, 0.9 * x[1] + 0.05, 0.09);
+  });
+  for (const double friction : {0., 0.3})
+    {
+      ContactParameters p;
+      p.friction.coefficient = friction;
+      ContactInterface<3> contact("shells", p, MPI_COMM_SELF);
+      contact.add_secondary(below.dof_handler, {}, below.skin(up));
+      contact.add_primary(above.dof_handler,
+                          {},
+                          above.skin(up),
+                          "above",
+                          DoFNumbering(below.dof_handler.n_dofs()));
+      contact.setup();
+      Vector<double> u(below.dof_handler.n_dofs() + above.dof_handler.n_dofs());
+      contact.update(u);
+      contact.commit(0.);
+      for (unsigned int i = 0; i < u.size(); ++i)
+        u(i) = 2e-3 * std::sin(1. + 2. * i);
+      contact.update(u);
+      EXPECT_GT(contact.report().active_area, 0.1);
+      EXPECT_LT(contact.check_balance(), 1e-12);
+      EXPECT_LT(contact.check_tangent(u), 2e-6);
+    }
+}
