@@ -67,6 +67,13 @@ namespace Structure
                       Patterns::Selection("none|residual|energy"),
                       "Shorten updates until the residual, or its work along "
                       "the update, falls.");
+    prm.declare_entry("Predictor",
+                      "none",
+                      Patterns::Selection("none|linear"),
+                      "Where a step starts: from the last state, or from the "
+                      "motion of the last step continued (statics). Saves "
+                      "iterations where a tool moves steadily over something "
+                      "soft; a step that fails is tried again without.");
   }
 
 
@@ -77,6 +84,7 @@ namespace Structure
     displacement_tolerance = prm.get_double("Displacement tolerance");
     max_iterations         = prm.get_integer("Maximum iterations");
     line_search            = prm.get("Line search");
+    predicts               = prm.get("Predictor") == "linear";
   }
 
 

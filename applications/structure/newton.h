@@ -22,6 +22,7 @@ namespace Structure
     double       displacement_tolerance = 1e-6;
     unsigned int max_iterations         = 25;
     std::string  line_search            = "energy";
+    bool         predicts = false; ///< Start from extrapolated motion.
   };
 
   /// One Newton iterate, for those who watch.

@@ -729,6 +729,9 @@ namespace Structure
                                      " of '" + a.body +
                                      "'. Remove one of them."));
         }
+    AssertThrow(!scene.newton.predicts || !scene.dynamics.is_on,
+                ExcMessage("'Solver/Newton/Predictor' is 'linear' but "
+                           "'Dynamics/Type' is 'dynamic'; expected none."));
     for (const auto &b : scene.bodies)
       {
         AssertThrow(!scene.dynamics.is_on || b.material.density > 0.,

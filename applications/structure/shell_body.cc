@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "shell_body.h"
 
-#include "partition.h"
-
 #include <deal.II/base/quadrature_lib.h>
-
-#include <deal.II/dofs/dof_tools.h>
 
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_simplex_p.h>
@@ -41,31 +37,14 @@ namespace Structure
                        const ShellParameters            &parameters,
                        const std::vector<SymmetryPlane> &planes,
                        const MPI_Comm                    communicator)
-    : Body<3>(name)
+    : MeshBody<2, 3>(name, mesh, communicator)
     , parameters(parameters)
-    , triangulation(
-        communicator,
-        Triangulation<2, 3>::none,
-        false,
-        parallel::shared::Triangulation<2, 3>::partition_custom_signal)
-    , dof_handler(triangulation)
   {
-    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
-    for (auto *signal : {&triangulation.signals.create,
-                         &triangulation.signals.post_refinement})
-      signal->connect(
-        [this, n_ranks]() { partition_in_slices(triangulation, n_ranks); });
-    triangulation.copy_triangulation(mesh);
-
-    const bool simplices = triangulation.all_reference_cells_are_simplex();
-    AssertThrow(simplices || triangulation.all_reference_cells_are_hyper_cube(),
-                ExcMessage("the mesh mixes cell types; expected "
-                           "quadrilaterals only or triangles only."));
-    if (simplices)
-      fe = std::make_unique<FESystem<2, 3>>(FE_SimplexP<2, 3>(1), 6);
+    if (triangulation.all_reference_cells_are_simplex())
+      distribute_dofs(
+        std::make_unique<FESystem<2, 3>>(FE_SimplexP<2, 3>(1), 6));
     else
-      fe = std::make_unique<FESystem<2, 3>>(FE_Q<2, 3>(1), 6);
-    dof_handler.distribute_dofs(*fe);
+      distribute_dofs(std::make_unique<FESystem<2, 3>>(FE_Q<2, 3>(1), 6));
 
     orientation = orient(triangulation);
     if (parameters.is_turned)
@@ -80,18 +59,16 @@ namespace Structure
           scale += cell->diameter() / std::sqrt(2.);
         scale /= triangulation.n_active_cells();
       }
-    for (const auto &cell : dof_handler.active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          std::vector<Tensor<1, 3>> R, D;
-          for (const unsigned int v : cell->vertex_indices())
-            {
-              R.push_back(cell->vertex(v));
-              D.push_back(directors[cell->vertex_index(v)]);
-            }
-          local_cells.push_back(cell);
-          elements.emplace_back(R, D, parameters.section, scale);
-        }
+    for (const Cell &cell : local_cells)
+      {
+        std::vector<Tensor<1, 3>> R, D;
+        for (const unsigned int v : cell->vertex_indices())
+          {
+            R.push_back(cell->vertex(v));
+            D.push_back(directors[cell->vertex_index(v)]);
+          }
+        elements.emplace_back(R, D, parameters.section, scale);
+      }
   }
 
 
@@ -110,35 +87,6 @@ namespace Structure
   {
     return parameters.section.youngs_modulus /
            (2. * (1. + parameters.section.poissons_ratio));
-  }
-
-
-  void
-  ShellBody::add_constraints(AffineConstraints<double> &constraints) const
-  {
-    DoFTools::make_hanging_node_constraints(dof_handler, constraints);
-  }
-
-
-  void
-  ShellBody::dofs_of(const unsigned int                    cell,
-                     std::vector<types::global_dof_index> &dofs) const
-  {
-    dofs.resize(fe->n_dofs_per_cell());
-    local_cells[cell]->get_dof_indices(dofs);
-    for (auto &d : dofs)
-      d = numbering(d);
-  }
-
-
-  std::string
-  ShellBody::name_of(const unsigned int cell) const
-  {
-    std::ostringstream text;
-    text.precision(4);
-    text << "cell " << local_cells[cell]->global_active_cell_index() << " of '"
-         << name << "' at (" << local_cells[cell]->center() << ")";
-    return text.str();
   }
 
 
@@ -366,7 +314,8 @@ namespace Structure
   {
     Vector<double>     fields(dof_handler.n_dofs());
     const unsigned int n_cells = triangulation.n_active_cells();
-    Vector<double>     top(n_cells), middle(n_cells), bottom(n_cells);
+    Vector<double>     top(n_cells), middle(n_cells), bottom(n_cells),
+      largest(n_cells);
     std::vector<types::global_dof_index> dofs(fe->n_dofs_per_cell());
     for (unsigned int i = 0; i < local_cells.size(); ++i)
       {
@@ -383,6 +332,7 @@ namespace Structure
         top(c)               = mises(1.);
         middle(c)            = mises(0.);
         bottom(c)            = mises(-1.);
+        largest(c)           = std::max({top(c), middle(c), bottom(c)});
       }
 
     using Kind = DataComponentInterpretation::DataComponentInterpretation;
@@ -396,6 +346,9 @@ namespace Structure
       DataOut<2, 3>::type_dof_data,
       std::vector<Kind>(
         6, DataComponentInterpretation::component_is_part_of_vector));
+    data_out.add_data_vector(largest,
+                             "von_Mises",
+                             DataOut<2, 3>::type_cell_data);
     data_out.add_data_vector(top,
                              "von_Mises_top",
                              DataOut<2, 3>::type_cell_data);

@@ -2,15 +2,9 @@
 #ifndef mortar_contact_structure_shell_body_h
 #define mortar_contact_structure_shell_body_h
 
-#include "body.h"
+#include "mesh_body.h"
 #include "shell_directors.h"
 #include "shell_element.h"
-
-#include <deal.II/distributed/shared_tria.h>
-
-#include <deal.II/dofs/dof_handler.h>
-
-#include <deal.II/fe/fe_system.h>
 
 #include <memory>
 #include <string>
@@ -35,7 +29,7 @@ namespace Structure
    * (force per undeformed length) or on the surface (per undeformed area);
    * pressure on the surface, positive pushes on the top.
    */
-  class ShellBody : public Body<3>
+  class ShellBody : public MeshBody<2, 3>
   {
   public:
     ShellBody(const std::string                &name,
@@ -43,30 +37,6 @@ namespace Structure
               const ShellParameters            &parameters,
               const std::vector<SymmetryPlane> &planes,
               const MPI_Comm                    communicator);
-
-    types::global_dof_index
-    n_dofs() const override
-    {
-      return dof_handler.n_dofs();
-    }
-
-    types::global_dof_index
-    n_owned_dofs() const override
-    {
-      return dof_handler.n_locally_owned_dofs();
-    }
-
-    unsigned int
-    n_dofs_per_cell() const override
-    {
-      return fe->n_dofs_per_cell();
-    }
-
-    types::global_dof_index
-    n_cells() const override
-    {
-      return triangulation.n_global_active_cells();
-    }
 
     std::string
     description() const override;
@@ -85,34 +55,6 @@ namespace Structure
     {
       return true;
     }
-
-    std::vector<types::boundary_id>
-    boundary_ids() const override
-    {
-      return triangulation.get_boundary_ids();
-    }
-
-    const std::vector<Point<3>> &
-    vertices() const override
-    {
-      return triangulation.get_vertices();
-    }
-
-    void
-    add_constraints(AffineConstraints<double> &constraints) const override;
-
-    unsigned int
-    n_local_cells() const override
-    {
-      return local_cells.size();
-    }
-
-    void
-    dofs_of(const unsigned int                    cell,
-            std::vector<types::global_dof_index> &dofs) const override;
-
-    std::string
-    name_of(const unsigned int cell) const override;
 
     bool
     evaluate(const unsigned int    cell,
@@ -164,21 +106,15 @@ namespace Structure
           const MPI_Comm      communicator) override;
 
   private:
-    using Cell = DoFHandler<2, 3>::active_cell_iterator;
-
     /// Node of a cell.
     BoundaryNode<3>
     node_of(const Cell &cell, const unsigned int vertex) const;
 
-    const ShellParameters                 parameters;
-    parallel::shared::Triangulation<2, 3> triangulation;
-    std::unique_ptr<FESystem<2, 3>>       fe;
-    DoFHandler<2, 3>                      dof_handler;
-    double                                scale = 0.;  ///< s [m]
-    std::vector<int>                      orientation; ///< By active cell.
-    std::vector<Tensor<1, 3>>             directors;   ///< By vertex.
-    std::vector<Cell>                     local_cells;
-    std::vector<ShellElement>             elements; ///< By local cell.
+    const ShellParameters     parameters;
+    double                    scale = 0.;  ///< s [m]
+    std::vector<int>          orientation; ///< By active cell.
+    std::vector<Tensor<1, 3>> directors;   ///< By vertex.
+    std::vector<ShellElement> elements;    ///< By local cell.
   };
 } // namespace Structure
 

@@ -83,6 +83,20 @@ namespace Structure
 
 
   template <int dim>
+  std::vector<Vector_t *>
+  Simulation<dim>::more_state()
+  {
+    if (model.is_dynamic())
+      return {&model.integration.v_n,
+              &model.integration.a_n,
+              &model.integration.F_n};
+    if (scene.newton.predicts)
+      return {&rate};
+    return {};
+  }
+
+
+  template <int dim>
   std::unique_ptr<Body<dim>>
   Simulation<dim>::make_solid(const BodyParameters &b) const
   {
@@ -232,7 +246,8 @@ namespace Structure
         model.interfaces.push_back(std::move(interface));
       }
     model.setup();
-    u = model.make_vector();
+    u    = model.make_vector();
+    rate = model.make_vector();
 
     // the nodes nearest to the probes
     for (const ProbeParameters &p : scene.output.probes)
@@ -314,7 +329,17 @@ namespace Structure
   std::string
   Simulation<dim>::try_step(const double new_time)
   {
-    Vector_t trial = u;
+    Vector_t trial    = u;
+    bool     predicts = scene.newton.predicts && rate.linfty_norm() > 0.;
+    if (predicts)
+      {
+        Vector_t motion = rate;
+        motion *= new_time - time;
+        double share = 1.;
+        for (const auto &interface : model.interfaces)
+          share = std::min(share, interface->largest_safe_step(u, motion));
+        trial.add(share, motion);
+      }
     model.integration.start_step(new_time - time);
     last_newton = NewtonResult();
     bool again  = true;
@@ -353,12 +378,15 @@ namespace Structure
         last_newton.iterations += solved.iterations;
         last_newton.linear_iterations += solved.linear_iterations;
         again = false;
-        if (!solved.converged && mixed_points)
+        if (!solved.converged && (mixed_points || predicts))
           {
-            log.line("    " + solved.failure +
-                     " with extrapolated stresses of shells; again without");
-            mixed_points = false;
-            trial        = u;
+            log.line("    " + solved.failure + " with " +
+                     (predicts ? "the predictor" : "") +
+                     (predicts && mixed_points ? " and " : "") +
+                     (mixed_points ? "extrapolated stresses of shells" : "") +
+                     "; again without");
+            mixed_points = predicts = false;
+            trial                   = u;
             for (const auto &interface : model.interfaces)
               interface->rollback();
             again = true;
@@ -377,6 +405,9 @@ namespace Structure
         if (!advice.accept)
           return advice.reason;
       }
+    rate = trial;
+    rate -= u;
+    rate *= 1. / (new_time - time);
     u = trial;
     return "";
   }
@@ -630,12 +661,9 @@ namespace Structure
     std::vector<double> values;
     for (const auto i : model.owned_dofs())
       values.push_back(u(i));
-    if (model.is_dynamic())
-      for (const Vector_t *v : {&model.integration.v_n,
-                                &model.integration.a_n,
-                                &model.integration.F_n})
-        for (const auto i : model.owned_dofs())
-          values.push_back((*v)(i));
+    for (const Vector_t *v : more_state())
+      for (const auto i : model.owned_dofs())
+        values.push_back((*v)(i));
     bool ok = false;
     try
       {
@@ -704,8 +732,8 @@ namespace Structure
               {
                 archive &time &step &next_step &cut_backs &newton_iterations
                   &linear_iterations &values;
-                if (values.size() != model.owned_dofs().n_elements() *
-                                       (model.is_dynamic() ? 4 : 1))
+                if (values.size() !=
+                    model.owned_dofs().n_elements() * (1 + more_state().size()))
                   failure = "it is damaged";
               }
             if (failure.empty())
@@ -713,15 +741,9 @@ namespace Structure
                 std::size_t i = 0;
                 for (const auto dof : model.owned_dofs())
                   u(dof) = values[i++];
-                if (model.is_dynamic())
-                  {
-                    model.integration.u_n = u;
-                    for (Vector_t *v : {&model.integration.v_n,
-                                        &model.integration.a_n,
-                                        &model.integration.F_n})
-                      for (const auto dof : model.owned_dofs())
-                        (*v)(dof) = values[i++];
-                  }
+                for (Vector_t *v : more_state())
+                  for (const auto dof : model.owned_dofs())
+                    (*v)(dof) = values[i++];
                 other_parameters = head.parameters != used_parameters;
                 for (const auto &interface : model.interfaces)
                   interface->load(in);
@@ -739,12 +761,10 @@ namespace Structure
                 ExcMessage("The checkpoint '" + file +
                            "' cannot be continued: " + failure + "."));
     u.compress(VectorOperation::insert);
+    for (Vector_t *v : more_state())
+      v->compress(VectorOperation::insert);
     if (model.is_dynamic())
       {
-        for (Vector_t *v : {&model.integration.v_n,
-                            &model.integration.a_n,
-                            &model.integration.F_n})
-          v->compress(VectorOperation::insert);
         model.integration.u_n = u;
         model.integration.dt  = 0.;
       }

@@ -61,7 +61,8 @@ namespace Structure
     const MPI_Comm communicator;
     TimerOutput    timer;
     Model<dim>     model;
-    Vector_t       u; ///< Displacements of the last accepted state.
+    Vector_t       u;    ///< Displacements of the last accepted state.
+    Vector_t       rate; ///< Of the last step, for the predictor.
     double         time              = 0.;
     unsigned int   step              = 0; ///< Accepted steps.
     unsigned int   cut_backs         = 0;
@@ -79,6 +80,10 @@ namespace Structure
     probe(const unsigned int p) const;
 
   private:
+    /// What a checkpoint holds besides u.
+    std::vector<Vector_t *>
+    more_state();
+
     std::unique_ptr<Body<dim>>
     make_solid(const BodyParameters &parameters) const;
 

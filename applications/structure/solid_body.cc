@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solid_body.h"
 
-#include "partition.h"
-
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/quadrature_lib.h>
 
@@ -12,8 +10,6 @@
 #include <deal.II/fe/mapping_q.h>
 
 #include <deal.II/grid/grid_tools.h>
-
-#include <deal.II/dofs/dof_tools.h>
 
 #include <deal.II/numerics/data_out.h>
 
@@ -58,29 +54,11 @@ namespace Structure
                             const unsigned int        degree,
                             const bool                mean_dilatation,
                             const MPI_Comm            communicator)
-    : Body<dim>(name)
+    : MeshBody<dim, dim>(name, mesh, communicator)
     , material(std::move(material))
     , mean_dilatation(mean_dilatation)
-    , triangulation(
-        communicator,
-        Triangulation<dim>::none,
-        false,
-        parallel::shared::Triangulation<dim>::partition_custom_signal)
-    , dof_handler(triangulation)
   {
-    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
-    for (auto *signal : {&triangulation.signals.create,
-                         &triangulation.signals.post_refinement})
-      signal->connect(
-        [this, n_ranks]() { partition_in_slices(triangulation, n_ranks); });
-    triangulation.copy_triangulation(mesh);
-
     const bool simplices = triangulation.all_reference_cells_are_simplex();
-    AssertThrow(simplices || triangulation.all_reference_cells_are_hyper_cube(),
-                ExcMessage("Body '" + name +
-                           "': the mesh mixes cell types; expected hexahedra "
-                           "only or tetrahedra only (in 2d quadrilaterals or "
-                           "triangles)."));
     AssertThrow(!mean_dilatation || (!simplices && degree == 1),
                 ExcMessage("Body '" + name +
                            "': 'Mean dilatation' needs hexahedra "
@@ -88,22 +66,19 @@ namespace Structure
     if (simplices)
       {
         mapping = std::make_unique<MappingFE<dim>>(FE_SimplexP<dim>(1));
-        fe = std::make_unique<FESystem<dim>>(FE_SimplexP<dim>(degree), dim);
+        this->distribute_dofs(
+          std::make_unique<FESystem<dim>>(FE_SimplexP<dim>(degree), dim));
         quadrature      = std::make_unique<QGaussSimplex<dim>>(degree + 1);
         face_quadrature = std::make_unique<QGaussSimplex<dim - 1>>(degree + 1);
       }
     else
       {
-        mapping    = std::make_unique<MappingQ<dim>>(degree);
-        fe         = std::make_unique<FESystem<dim>>(FE_Q<dim>(degree), dim);
-        quadrature = std::make_unique<QGauss<dim>>(degree + 1);
+        mapping = std::make_unique<MappingQ<dim>>(degree);
+        this->distribute_dofs(
+          std::make_unique<FESystem<dim>>(FE_Q<dim>(degree), dim));
+        quadrature      = std::make_unique<QGauss<dim>>(degree + 1);
         face_quadrature = std::make_unique<QGauss<dim - 1>>(degree + 1);
       }
-    dof_handler.distribute_dofs(*fe);
-
-    for (const auto &cell : dof_handler.active_cell_iterators())
-      if (cell->is_locally_owned())
-        local_cells.push_back(cell);
     component = components_of(*fe);
     element   = std::make_unique<Element<dim>>(*this);
     load_values =
@@ -120,38 +95,6 @@ namespace Structure
                                             update_JxW_values |
                                             update_normal_vectors |
                                             update_quadrature_points);
-  }
-
-
-  template <int dim>
-  void
-  SolidBody<dim>::add_constraints(AffineConstraints<double> &constraints) const
-  {
-    DoFTools::make_hanging_node_constraints(dof_handler, constraints);
-  }
-
-
-  template <int dim>
-  void
-  SolidBody<dim>::dofs_of(const unsigned int                    cell,
-                          std::vector<types::global_dof_index> &dofs) const
-  {
-    dofs.resize(fe->n_dofs_per_cell());
-    local_cells[cell]->get_dof_indices(dofs);
-    for (auto &d : dofs)
-      d = this->numbering(d);
-  }
-
-
-  template <int dim>
-  std::string
-  SolidBody<dim>::name_of(const unsigned int cell) const
-  {
-    std::ostringstream text;
-    text.precision(4);
-    text << "cell " << local_cells[cell]->global_active_cell_index() << " of '"
-         << this->name << "' at (" << local_cells[cell]->center() << ")";
-    return text.str();
   }
 
 

@@ -2,17 +2,12 @@
 #ifndef mortar_contact_structure_solid_body_h
 #define mortar_contact_structure_solid_body_h
 
-#include "body.h"
 #include "element.h"
 #include "material.h"
+#include "mesh_body.h"
 
 #include <deal.II/base/quadrature.h>
 
-#include <deal.II/distributed/shared_tria.h>
-
-#include <deal.II/dofs/dof_handler.h>
-
-#include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/mapping.h>
 
 #include <memory>
@@ -26,10 +21,13 @@ namespace Structure
    * triangles in plane strain), its finite element and its material.
    */
   template <int dim>
-  class SolidBody : public Body<dim>
+  class SolidBody : public MeshBody<dim, dim>
   {
   public:
     using ValuesOfCell = typename Body<dim>::ValuesOfCell;
+    using MeshBody<dim, dim>::triangulation;
+    using MeshBody<dim, dim>::fe;
+    using MeshBody<dim, dim>::dof_handler;
 
     /**
      * @param mesh   The coarse mesh, with ids and manifolds set. Cells are
@@ -44,30 +42,6 @@ namespace Structure
               const unsigned int        degree,
               const bool                mean_dilatation,
               const MPI_Comm            communicator);
-
-    types::global_dof_index
-    n_dofs() const override
-    {
-      return dof_handler.n_dofs();
-    }
-
-    types::global_dof_index
-    n_owned_dofs() const override
-    {
-      return dof_handler.n_locally_owned_dofs();
-    }
-
-    unsigned int
-    n_dofs_per_cell() const override
-    {
-      return fe->n_dofs_per_cell();
-    }
-
-    types::global_dof_index
-    n_cells() const override
-    {
-      return triangulation.n_global_active_cells();
-    }
 
     std::string
     description() const override
@@ -86,34 +60,6 @@ namespace Structure
     {
       return material->is_linear;
     }
-
-    std::vector<types::boundary_id>
-    boundary_ids() const override
-    {
-      return triangulation.get_boundary_ids();
-    }
-
-    const std::vector<Point<dim>> &
-    vertices() const override
-    {
-      return triangulation.get_vertices();
-    }
-
-    void
-    add_constraints(AffineConstraints<double> &constraints) const override;
-
-    unsigned int
-    n_local_cells() const override
-    {
-      return local_cells.size();
-    }
-
-    void
-    dofs_of(const unsigned int                    cell,
-            std::vector<types::global_dof_index> &dofs) const override;
-
-    std::string
-    name_of(const unsigned int cell) const override;
 
     bool
     evaluate(const unsigned int    cell,
@@ -179,14 +125,13 @@ namespace Structure
 
     const std::unique_ptr<Material>      material;
     const bool                           mean_dilatation;
-    parallel::shared::Triangulation<dim> triangulation;
     std::unique_ptr<Mapping<dim>>        mapping;
-    std::unique_ptr<FESystem<dim>>       fe;
     std::unique_ptr<Quadrature<dim>>     quadrature;
     std::unique_ptr<Quadrature<dim - 1>> face_quadrature;
-    DoFHandler<dim>                      dof_handler;
 
   private:
+    using MeshBody<dim, dim>::local_cells;
+
     void
     add_pressure(const FEFaceValues<dim> &face,
                  Load<dim>               &load,
@@ -195,11 +140,10 @@ namespace Structure
                  Vector<double>          &forces,
                  FullMatrix<double>      &tangent) const;
 
-    std::vector<typename DoFHandler<dim>::active_cell_iterator> local_cells;
-    std::unique_ptr<Element<dim>>                               element;
-    std::unique_ptr<FEValues<dim>>                              load_values;
-    std::unique_ptr<FEFaceValues<dim>>                          face_values;
-    std::vector<unsigned int> component; ///< By dof of a cell.
+    std::unique_ptr<Element<dim>>      element;
+    std::unique_ptr<FEValues<dim>>     load_values;
+    std::unique_ptr<FEFaceValues<dim>> face_values;
+    std::vector<unsigned int>          component; ///< By dof of a cell.
   };
 } // namespace Structure
 

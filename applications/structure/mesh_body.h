@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef mortar_contact_structure_mesh_body_h
+#define mortar_contact_structure_mesh_body_h
+
+#include "body.h"
+
+#include <deal.II/distributed/shared_tria.h>
+
+#include <deal.II/dofs/dof_handler.h>
+
+#include <deal.II/fe/fe_system.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Structure
+{
+  /// What solids and shells share: a mesh with cells dealt to the ranks, in
+  /// slices along the longest direction, and one finite element.
+  template <int dim, int spacedim>
+  class MeshBody : public Body<spacedim>
+  {
+  public:
+    MeshBody(const std::string                  &name,
+             const Triangulation<dim, spacedim> &mesh,
+             const MPI_Comm                      communicator);
+
+    types::global_dof_index
+    n_dofs() const override
+    {
+      return dof_handler.n_dofs();
+    }
+
+    types::global_dof_index
+    n_owned_dofs() const override
+    {
+      return dof_handler.n_locally_owned_dofs();
+    }
+
+    unsigned int
+    n_dofs_per_cell() const override
+    {
+      return fe->n_dofs_per_cell();
+    }
+
+    types::global_dof_index
+    n_cells() const override
+    {
+      return triangulation.n_global_active_cells();
+    }
+
+    std::vector<types::boundary_id>
+    boundary_ids() const override
+    {
+      return triangulation.get_boundary_ids();
+    }
+
+    const std::vector<Point<spacedim>> &
+    vertices() const override
+    {
+      return triangulation.get_vertices();
+    }
+
+    unsigned int
+    n_local_cells() const override
+    {
+      return local_cells.size();
+    }
+
+    void
+    add_constraints(AffineConstraints<double> &constraints) const override;
+
+    void
+    dofs_of(const unsigned int                    cell,
+            std::vector<types::global_dof_index> &dofs) const override;
+
+    std::string
+    name_of(const unsigned int cell) const override;
+
+    parallel::shared::Triangulation<dim, spacedim> triangulation;
+    std::unique_ptr<FESystem<dim, spacedim>>       fe;
+    DoFHandler<dim, spacedim>                      dof_handler;
+
+  protected:
+    /// To be called by the derived class, with its element.
+    void
+    distribute_dofs(std::unique_ptr<FESystem<dim, spacedim>> element);
+
+    using Cell = typename DoFHandler<dim, spacedim>::active_cell_iterator;
+    std::vector<Cell> local_cells;
+  };
+} // namespace Structure
+
+#endif
