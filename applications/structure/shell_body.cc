@@ -287,7 +287,7 @@ namespace Structure
                     const MortarContact::FaceSelection &faces) const
   {
     MortarContact::ShellSkin<3> skin;
-    skin.thickness      = parameters.contact_thickness;
+    skin.thickness      = parameters.section.thickness;
     skin.director_scale = scale;
     skin.modulus        = parameters.contact_modulus;
     skin.director       = [this](const unsigned int vertex) {

@@ -17,10 +17,9 @@ namespace Structure
   {
     ShellSection section;
     /// s of ShellElement [m]; 0: the mean diameter of the cells.
-    double director_scale = 0.;
-    bool   is_turned      = false; ///< Top and bottom exchanged.
-    /// Contact modulus [Pa], and what contact takes for the thickness [m].
-    double contact_modulus = 0., contact_thickness = 0.;
+    double director_scale  = 0.;
+    bool   is_turned       = false; ///< Top and bottom exchanged.
+    double contact_modulus = 0.;    ///< [Pa]
   };
 
   /**

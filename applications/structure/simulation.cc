@@ -126,14 +126,13 @@ namespace Structure
         make_shell_mesh(b.mesh, mesh);
         const std::unique_ptr<Material> material = b.material.make();
         ShellParameters                 shell;
-        shell.section           = {b.material.youngs_modulus,
-                                   b.material.poissons_ratio,
-                                   b.thickness,
-                                   b.material.density};
-        shell.director_scale    = b.director_scale;
-        shell.is_turned         = b.is_turned;
-        shell.contact_modulus   = material->contact_modulus;
-        shell.contact_thickness = b.thickness;
+        shell.section         = {b.material.youngs_modulus,
+                                 b.material.poissons_ratio,
+                                 b.thickness,
+                                 b.material.density};
+        shell.director_scale  = b.director_scale;
+        shell.is_turned       = b.is_turned;
+        shell.contact_modulus = material->contact_modulus;
         std::vector<SymmetryPlane> planes;
         for (const BoundaryCondition &c : scene.conditions)
           if (c.body == b.name && c.type == BoundaryCondition::Type::symmetry)

@@ -19,6 +19,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 using namespace dealii;
 using namespace MortarContact;
@@ -206,5 +208,65 @@ TEST(ShellSkin, ForcesOfBentShellsAreInBalanceAndTheTangentIsTheirDerivative)
       EXPECT_GT(contact.report().active_area, 0.1);
       EXPECT_LT(contact.check_balance(), 1e-12);
       EXPECT_LT(contact.check_tangent(u), 2e-6);
+    }
+}
+
+
+// THEORY T38: a shell's edge is flat, so that it touches a face where its nodes
+// do; its faces touch at half the thickness.
+TEST(ShellSkin, EdgeTouchesAFaceAtItsNodesAndAFaceAtHalfTheThickness)
+{
+  ContactParameters p;
+  const auto        penetration = [&](const Plate<3>     &shell,
+                               const Tensor<1, 3> &director) {
+    ContactInterface<3> contact("i", p, MPI_COMM_SELF);
+    contact.add_secondary(shell.dof_handler, {}, shell.skin(director));
+    contact.add_primary(std::make_shared<RigidBody<3>>(
+      "plane", std::make_unique<ImplicitObstacle<3>>(plane_shape<3>())));
+    contact.setup();
+    contact.update(Vector<double>(shell.dof_handler.n_dofs()));
+    return std::make_pair(contact.report().largest_penetration,
+                          contact.report().active_area);
+  };
+  for (const double depth : {-1e-9, 1e-3})
+    {
+      // on edge: thickness along y
+      const Plate<3> upright(3, [depth](const Point<3> &x) {
+        return Point<3>(x[0], 0., x[1] - depth);
+      });
+      const auto on_edge = penetration(upright, Tensor<1, 3>({0., -1., 0.}));
+      EXPECT_NEAR(on_edge.first, std::max(depth, 0.), 1e-12);
+      EXPECT_NEAR(on_edge.second, depth > 0. ? 0.1 : 0., 1e-12);
+      // flat
+      const Plate<3> lying(3, [depth](const Point<3> &x) {
+        return Point<3>(x[0], x[1], 0.05 - depth);
+      });
+      const auto     on_face = penetration(lying, Tensor<1, 3>({0., 0., 1.}));
+      EXPECT_NEAR(on_face.first, std::max(depth, 0.), 1e-12);
+      EXPECT_NEAR(on_face.second, depth > 0. ? 1. : 0., 1e-12);
+    }
+}
+
+
+// The interface's entries SST and SFST (THEORY T45 pushes out by the latter).
+TEST(ShellSkin, ThicknessForContactMayBeChanged)
+{
+  const Tensor<1, 3> up({0., 0., 1.});
+  const Plate<3>     lying(2, [](const Point<3> &x) {
+    return Point<3>(x[0], x[1], 0.05);
+  });
+  for (const auto &[thickness, scale, depth] :
+       {std::make_tuple(0., 1.02, 0.001), std::make_tuple(0.12, 1., 0.01)})
+    {
+      ContactParameters p;
+      p.thickness       = thickness;
+      p.thickness_scale = scale;
+      ContactInterface<3> contact("i", p, MPI_COMM_SELF);
+      contact.add_secondary(lying.dof_handler, {}, lying.skin(up));
+      contact.add_primary(std::make_shared<RigidBody<3>>(
+        "plane", std::make_unique<ImplicitObstacle<3>>(plane_shape<3>())));
+      contact.setup();
+      contact.update(Vector<double>(lying.dof_handler.n_dofs()));
+      EXPECT_NEAR(contact.report().largest_penetration, depth, 1e-12);
     }
 }
