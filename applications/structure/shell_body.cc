@@ -15,6 +15,7 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 namespace Structure
 {
@@ -346,18 +347,13 @@ namespace Structure
       DataOut<2, 3>::type_dof_data,
       std::vector<Kind>(
         6, DataComponentInterpretation::component_is_part_of_vector));
-    data_out.add_data_vector(largest,
-                             "von_Mises",
-                             DataOut<2, 3>::type_cell_data);
-    data_out.add_data_vector(top,
-                             "von_Mises_top",
-                             DataOut<2, 3>::type_cell_data);
-    data_out.add_data_vector(middle,
-                             "von_Mises_middle",
-                             DataOut<2, 3>::type_cell_data);
-    data_out.add_data_vector(bottom,
-                             "von_Mises_bottom",
-                             DataOut<2, 3>::type_cell_data);
+    const std::pair<const char *, const Vector<double> *> stresses[] = {
+      {"von_Mises", &largest},
+      {"von_Mises_top", &top},
+      {"von_Mises_middle", &middle},
+      {"von_Mises_bottom", &bottom}};
+    for (const auto &[what, values] : stresses)
+      data_out.add_data_vector(*values, what, DataOut<2, 3>::type_cell_data);
     data_out.build_patches();
     data_out.write_vtu_in_parallel(file, communicator);
   }

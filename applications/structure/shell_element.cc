@@ -179,7 +179,6 @@ namespace Structure
       double                               jacobian;  ///< |G_1 x G_2 . G_3|
       double                               area;      ///< |G_1 x G_2|
       std::array<std::array<double, 6>, 6> cartesian; ///< From covariant.
-      std::array<std::array<double, 3>, 3> in_plane;
     };
 
     Basis
@@ -230,9 +229,6 @@ namespace Structure
             b.cartesian[row][col] = (a == c ? 1. : 2.) * 0.5 *
                                     (g[i][a] * g[j][c] + g[j][a] * g[i][c]);
           }
-      for (unsigned int row = 0; row < 3; ++row)
-        for (unsigned int col = 0; col < 3; ++col)
-          b.in_plane[row][col] = b.cartesian[row][col];
       return b;
     }
 
@@ -334,7 +330,7 @@ namespace Structure
       FullMatrix<double> A(3, table.forms.size());
       for (unsigned int i = 0; i < 3; ++i)
         for (unsigned int k = 0; k < 3; ++k)
-          A(i, table.first_bending + 3 * q + k) = b.in_plane[i][k];
+          A(i, table.first_bending + 3 * q + k) = b.cartesian[i][k];
       return A;
     }
 
@@ -397,7 +393,6 @@ namespace Structure
         const auto    B = bending(b, table, q);
         add_product(w * t, A, law, A, Q);
         add_product(w * t * t * t / 12., B, plane, B, Q);
-        middle_area += table.weight * b.area;
 
         std::array<double, 4> N, dr, ds;
         shape(R.size(), p, N, dr, ds);
@@ -546,18 +541,22 @@ namespace Structure
     FullMatrix<double> QB(n_forms, 6 * n);
     Q.mmult(QB, B);
     B.Tmmult(tangent, QB);
+    double geometric[8][8] = {};
+    for (unsigned int i = 0; i < n_forms; ++i)
+      for (const Term &term : table.forms[i])
+        for (unsigned int k = 0; k < 2 * n; ++k)
+          if (term.x[k] != 0.)
+            for (unsigned int l = 0; l < 2 * n; ++l)
+              {
+                const double g = S[i] * term.c * term.x[k] * term.y[l];
+                geometric[k][l] += g;
+                geometric[l][k] += g;
+              }
     for (unsigned int k = 0; k < 2 * n; ++k)
       for (unsigned int l = 0; l < 2 * n; ++l)
-        {
-          double g = 0.;
-          for (unsigned int i = 0; i < n_forms; ++i)
-            for (const Term &term : table.forms[i])
-              g +=
-                S[i] * term.c * (term.x[k] * term.y[l] + term.y[k] * term.x[l]);
-          g /= ((k < n) ? 1. : scale) * ((l < n) ? 1. : scale);
-          for (unsigned int c = 0; c < 3; ++c)
-            tangent(dof(k, c), dof(l, c)) += g;
-        }
+        for (unsigned int c = 0; c < 3; ++c)
+          tangent(dof(k, c), dof(l, c)) +=
+            geometric[k][l] / ((k < n ? 1. : scale) * (l < n ? 1. : scale));
   }
 
 

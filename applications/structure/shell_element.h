@@ -97,13 +97,6 @@ namespace Structure
     std::array<double, 3>
     stress(const Vector<double> &u, const double height) const;
 
-    /// Area of the undeformed middle surface [m^2].
-    double
-    area() const
-    {
-      return middle_area;
-    }
-
     unsigned int
     n_dofs() const
     {
@@ -122,7 +115,6 @@ namespace Structure
     const std::vector<Vec> R, D;
     const ShellSection     section;
     const double           scale;
-    double                 middle_area = 0.;
     std::vector<Vec>       at_rest; ///< (R_1.., D_1..)
     FullMatrix<double>     Q;
     /// Cartesian strains in the middle by forms: membrane and bending, 3 rows.

@@ -245,8 +245,9 @@ namespace Structure
         model.interfaces.push_back(std::move(interface));
       }
     model.setup();
-    u    = model.make_vector();
-    rate = model.make_vector();
+    u = model.make_vector();
+    if (scene.newton.predicts)
+      rate = model.make_vector();
 
     // the nodes nearest to the probes
     for (const ProbeParameters &p : scene.output.probes)
@@ -404,9 +405,12 @@ namespace Structure
         if (!advice.accept)
           return advice.reason;
       }
-    rate = trial;
-    rate -= u;
-    rate *= 1. / (new_time - time);
+    if (scene.newton.predicts)
+      {
+        rate = trial;
+        rate -= u;
+        rate *= 1. / (new_time - time);
+      }
     u = trial;
     return "";
   }
