@@ -31,7 +31,7 @@ install_missing() {
 
 # An optimised serial BLAS: the reference one makes direct solves 3 to 4 times
 # slower, and a threaded one gets in the way of MPI ranks.
-build_packages="g++ cmake ninja-build ccache libdeal.ii-dev libopenblas0-serial \
+build_packages="g++ cmake ninja-build ccache libdeal.ii-dev libmumps-dev libopenblas0-serial \
   nlohmann-json3-dev libcli11-dev"
 test_packages="libgtest-dev"
 picture_packages="python3-vtk9 python3-matplotlib"

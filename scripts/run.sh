@@ -32,7 +32,12 @@ status=0
 mpirun -np "$ranks" "$root/build/$driver" "$@" || status=$?
 
 # Pictures of the standard cases, where the tools for them are.
-if [ "$status" = 0 ] && [ "$driver" = rubber_fit ]; then
+case "$driver" in
+  rubber_fit) pictures=pictures.py ;;
+  dummy_on_hood) pictures=hood_pictures.py ;;
+  *) pictures= ;;
+esac
+if [ "$status" = 0 ] && [ -n "$pictures" ]; then
   case " $* " in
     *" --check "* | *" --print-parameters "* | *" --help "* | *" --version "*) exit 0 ;;
   esac
@@ -43,6 +48,6 @@ if [ "$status" = 0 ] && [ "$driver" = rubber_fit ]; then
     [ "$previous" = --output ] && folder=$word
     previous=$word
   done
-  /usr/bin/python3 "$root/scripts/pictures.py" "${folder:-output}"
+  /usr/bin/python3 "$root/scripts/$pictures" "${folder:-output}"
 fi
 exit "$status"

@@ -203,6 +203,25 @@ namespace Structure
                     ExcMessage("'Mesh/Map' turns a cell inside out."));
     }
 
+    template <int dim, int spacedim>
+    void
+    refine_locally(const MeshParameters &m, Triangulation<dim, spacedim> &mesh)
+    {
+      if (m.local_refinements == 0)
+        return;
+      const Point<spacedim> centre =
+        point_of<spacedim>(m.refine_near, "Refine near");
+      double r = m.refine_radius;
+      for (unsigned int i = 0; i < m.local_refinements; ++i, r *= 0.5)
+        {
+          for (const auto &cell : mesh.active_cell_iterators())
+            for (const unsigned int v : cell->vertex_indices())
+              if (cell->vertex(v).distance(centre) < r)
+                cell->set_refine_flag();
+          mesh.execute_coarsening_and_refinement();
+        }
+    }
+
     /// The mesh with its own boundary ids, refined, turned and moved.
     template <int dim>
     void
@@ -272,19 +291,7 @@ namespace Structure
       // Step 2: finer.
       if (m.refinements > 0)
         mesh.refine_global(m.refinements);
-      if (m.local_refinements > 0)
-        {
-          const Point<dim> centre = point_of<dim>(m.refine_near, "Refine near");
-          double           r      = m.refine_radius;
-          for (unsigned int i = 0; i < m.local_refinements; ++i, r *= 0.5)
-            {
-              for (const auto &cell : mesh.active_cell_iterators())
-                for (const unsigned int v : cell->vertex_indices())
-                  if (cell->vertex(v).distance(centre) < r)
-                    cell->set_refine_flag();
-              mesh.execute_coarsening_and_refinement();
-            }
-        }
+      refine_locally(m, mesh);
       if (m.simplices)
         {
           Triangulation<dim> cubes, flat;
@@ -378,6 +385,12 @@ namespace Structure
   void
   make_mesh(const MeshParameters &m, Triangulation<dim> &mesh)
   {
+    if constexpr (dim == 3)
+      if (m.make_solid)
+        {
+          m.make_solid(mesh);
+          return;
+        }
     make_in_place(m, mesh);
     if (!m.boundary_ids.empty())
       set_boundary_ids(m, mesh);
@@ -385,26 +398,38 @@ namespace Structure
 
 
 
-  void
+  ShellParts
   make_shell_mesh(const MeshParameters &m, Triangulation<2, 3> &mesh)
   {
+    ShellParts parts;
+    if (m.make_shell)
+      {
+        m.make_shell(mesh);
+        return parts;
+      }
     AssertThrow(m.type == "box" || m.type == "file",
                 ExcMessage("'Mesh/Type' is '" + m.type +
                            "'; expected box (with Map) or file for a shell."));
-    AssertThrow(m.local_refinements == 0,
-                ExcMessage("'Mesh/Local refinements' is " +
-                           std::to_string(m.local_refinements) +
-                           "; expected 0 for a shell."));
-    AssertThrow(m.type == "box" ||
-                  (m.refinements == 0 && m.map.empty() && !m.simplices &&
-                   m.distortion == 0. && !m.merges),
-                ExcMessage("'Mesh/Type' is 'file': 'Refinements', 'Map', "
-                           "'Simplices', 'Distortion' and 'Merge vertices' do "
-                           "not act on the file of a shell; remove them."));
+    AssertThrow(m.type == "box" || (m.map.empty() && !m.simplices &&
+                                    m.distortion == 0. && !m.merges),
+                ExcMessage(
+                  "'Mesh/Type' is 'file': 'Map', 'Simplices', "
+                  "'Distortion' and 'Merge vertices' do not act on the "
+                  "file of a shell; remove them."));
     if (m.type == "file")
       {
-        read_file(m, mesh);
+        const std::string ending = m.file.substr(m.file.find_last_of('.') + 1);
+        if (ending == "inp")
+          parts = read_abaqus_shell(m.file, mesh);
+        else
+          read_file(m, mesh);
+        if (ending == "msh")
+          parts = gmsh_parts(m.file);
         GridTools::scale(m.scale, mesh);
+        for (auto &thickness : parts.thickness)
+          thickness.second *= m.scale;
+        if (m.refinements > 0)
+          mesh.refine_global(m.refinements);
       }
     else
       {
@@ -413,7 +438,8 @@ namespace Structure
         plane.map.clear();
         plane.move.clear();
         plane.boundary_ids.clear();
-        plane.rotation_angle = 0.;
+        plane.local_refinements = 0;
+        plane.rotation_angle    = 0.;
         Triangulation<2> flat;
         make_mesh(plane, flat);
         std::vector<std::string> components =
@@ -484,6 +510,14 @@ namespace Structure
         mesh.create_triangulation(vertices, cells, edges);
       }
 
+    // cells near a point of space; new vertices lie on straight edges
+    AssertThrow(m.local_refinements == 0 ||
+                  mesh.all_reference_cells_are_hyper_cube(),
+                ExcMessage("'Mesh/Local refinements' is " +
+                           std::to_string(m.local_refinements) +
+                           "; expected 0 for a shell of triangles."));
+    refine_locally(m, mesh);
+
     // Step 3: in its place.
     if (m.rotation_angle != 0.)
       {
@@ -499,6 +533,7 @@ namespace Structure
       GridTools::shift(Tensor<1, 3>(point_of<3>(m.move, "Move")), mesh);
     if (!m.boundary_ids.empty())
       set_boundary_ids(m, mesh);
+    return parts;
   }
 
 

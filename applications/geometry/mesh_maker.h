@@ -3,6 +3,7 @@
 #define mortar_contact_applications_mesh_maker_h
 
 #include "mesh_parameters.h"
+#include "shell_file.h"
 
 #include <deal.II/grid/tria.h>
 
@@ -17,8 +18,9 @@ namespace Structure
    * Make the mesh of a shell: a box of two dimensions (Cells, Lower and Upper
    * corner have two numbers) that Map takes to space (three formulas in x, y;
    * without it the plane z = 0), or a file with surface elements.
+   * @return What a file says of its parts.
    */
-  void
+  ShellParts
   make_shell_mesh(const MeshParameters &parameters, Triangulation<2, 3> &mesh);
 } // namespace Structure
 

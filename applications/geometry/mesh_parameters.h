@@ -4,6 +4,9 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <deal.II/grid/tria.h>
+
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -43,6 +46,11 @@ namespace Structure
     std::string         boundary_ids;   ///< Formula.
     std::vector<double> rotation_axis  = {0., 0., 1.}, move;
     double              rotation_angle = 0.; ///< [deg]
+
+    /// Of drivers with a geometry of their own: this makes the mesh of a solid
+    /// (shell), and nothing above counts.
+    std::function<void(Triangulation<3> &)>    make_solid;
+    std::function<void(Triangulation<2, 3> &)> make_shell;
   };
 } // namespace Structure
 

@@ -14,6 +14,7 @@
 
 #include <array>
 #include <functional>
+#include <limits>
 #include <set>
 #include <string>
 #include <vector>
@@ -154,6 +155,22 @@ namespace Structure
              Vector<double>       &forces,
              FullMatrix<double>   &tangent) = 0;
 
+    /// Accept the last evaluation as the end of a step.
+    virtual void
+    commit()
+    {}
+
+    /// What the material remembers, for checkpoints.
+    virtual std::vector<double>
+    history() const
+    {
+      return {};
+    }
+
+    virtual void
+    restore(const std::vector<double> &)
+    {}
+
     /// Strain energy of a cell [J].
     virtual double
     energy(const unsigned int cell, const Vector<double> &u) = 0;
@@ -186,9 +203,15 @@ namespace Structure
       const std::set<types::boundary_id>                   &ids,
       const std::function<void(const BoundaryNode<dim> &)> &visit) const = 0;
 
+    /// Call @p visit for all nodes, without a normal; those of several cells
+    /// come several times.
+    virtual void
+    visit_nodes(
+      const std::function<void(const BoundaryNode<dim> &)> &visit) const = 0;
+
     /// The node nearest to a point; without a normal.
-    virtual BoundaryNode<dim>
-    nearest_node(const Point<dim> &x) const = 0;
+    BoundaryNode<dim>
+    nearest_node(const Point<dim> &x) const;
 
     /// Add faces to a side of a contact interface.
     virtual void
@@ -206,6 +229,24 @@ namespace Structure
           const std::string  &file,
           const MPI_Comm      communicator) = 0;
   };
+
+
+  template <int dim>
+  BoundaryNode<dim>
+  Body<dim>::nearest_node(const Point<dim> &x) const
+  {
+    BoundaryNode<dim> nearest;
+    double            best = std::numeric_limits<double>::max();
+    visit_nodes([&](const BoundaryNode<dim> &node) {
+      const double distance = x.distance(node.x);
+      if (distance < best)
+        {
+          best    = distance;
+          nearest = node;
+        }
+    });
+    return nearest;
+  }
 } // namespace Structure
 
 #endif

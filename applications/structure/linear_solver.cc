@@ -13,28 +13,6 @@
 
 namespace Structure
 {
-  namespace
-  {
-    bool
-    solve_direct(const Matrix_t &matrix, const Vector_t &rhs, Vector_t &x)
-    {
-      SolverControl                                  control(1, 0.);
-      TrilinosWrappers::SolverDirect::AdditionalData data(false,
-                                                          "Amesos_Mumps");
-      TrilinosWrappers::SolverDirect                 solver(control, data);
-      try
-        {
-          solver.solve(matrix, x, rhs);
-        }
-      catch (const std::exception &)
-        {
-          return false; // singular
-        }
-      return std::isfinite(x.l2_norm());
-    }
-  } // namespace
-
-
   void
   LinearSolverParameters::declare(ParameterHandler &prm)
   {
@@ -72,9 +50,7 @@ namespace Structure
 
   template <int dim>
   LinearSolve
-  solve_linear(const Model<dim>             &model,
-               const LinearSolverParameters &parameters,
-               Vector_t                     &x)
+  LinearSolver<dim>::solve(const Model<dim> &model, Vector_t &x)
   {
     LinearSolve result;
     const bool  iterative =
@@ -129,13 +105,12 @@ namespace Structure
       }
     result.method =
       iterative ? result.method + " failed, MUMPS" : std::string("MUMPS");
-    result.converged = solve_direct(model.matrix, model.rhs, x);
+    result.converged =
+      direct.solve(model.matrix, model.n_patterns, model.rhs, x);
     return result;
   }
 
 
-  template LinearSolve
-  solve_linear(const Model<2> &, const LinearSolverParameters &, Vector_t &);
-  template LinearSolve
-  solve_linear(const Model<3> &, const LinearSolverParameters &, Vector_t &);
+  template class LinearSolver<2>;
+  template class LinearSolver<3>;
 } // namespace Structure

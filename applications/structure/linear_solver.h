@@ -2,6 +2,7 @@
 #ifndef mortar_contact_structure_linear_solver_h
 #define mortar_contact_structure_linear_solver_h
 
+#include "direct_solver.h"
 #include "model.h"
 
 #include <deal.II/base/parameter_handler.h>
@@ -34,15 +35,27 @@ namespace Structure
   };
 
   /**
-   * Solve matrix x = rhs: directly by MUMPS, or by CG (symmetric models) or
+   * Solves matrix x = rhs: directly by MUMPS, or by CG (symmetric models) or
    * GMRES with algebraic multigrid that knows the rigid body motions. When an
    * iterative method fails, the direct one takes over.
    */
   template <int dim>
-  LinearSolve
-  solve_linear(const Model<dim>             &model,
-               const LinearSolverParameters &parameters,
-               Vector_t                     &x);
+  class LinearSolver
+  {
+  public:
+    LinearSolver(const LinearSolverParameters &parameters,
+                 const MPI_Comm                communicator)
+      : parameters(parameters)
+      , direct(communicator)
+    {}
+
+    LinearSolve
+    solve(const Model<dim> &model, Vector_t &x);
+
+  private:
+    const LinearSolverParameters parameters;
+    DirectSolver                 direct;
+  };
 } // namespace Structure
 
 #endif

@@ -101,10 +101,25 @@ namespace Structure
           {
             if (body->name != condition.body)
               continue;
-            if (condition.point.empty())
-              body->visit_boundary_nodes(condition.boundaries, visit);
-            else
+            if (!condition.point.empty())
               visit(body->nearest_node(point_of<dim>(condition.point)));
+            else if (!condition.where.empty())
+              {
+                const std::string entry =
+                  "Boundary conditions/" + condition.name + "/Where";
+                Expression<dim> where(condition.where, entry);
+                body->visit_nodes([&](const BoundaryNode<dim> &node) {
+                  if (where.value(node.x, 0.) != 0.)
+                    visit(node);
+                });
+                AssertThrow(!by_condition[c].empty(),
+                            ExcMessage("'" + entry + "' is '" +
+                                       condition.where +
+                                       "'; it is 0 at all nodes of '" +
+                                       body->name + "'."));
+              }
+            else
+              body->visit_boundary_nodes(condition.boundaries, visit);
           }
         auto &list = by_condition[c];
         std::sort(list.begin(), list.end());

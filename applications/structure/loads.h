@@ -30,7 +30,8 @@ namespace Structure
     std::string                  name;
     std::string                  body;
     std::set<types::boundary_id> boundaries;
-    std::vector<double>          point; ///< The nearest node instead.
+    std::vector<double>          point; ///< The nearest node instead,
+    std::string                  where; ///< or all nodes where it is not 0.
     bool                         on_surface      = false; ///< Of a shell.
     bool                         fixes_directors = false; ///< Of a shell.
     Tensor<1, 3>                 plane_normal; ///< Symmetry of a shell.

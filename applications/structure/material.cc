@@ -230,10 +230,12 @@ namespace Structure
   {
     prm.declare_entry(
       "Law",
-      "neo-Hookean",
-      Patterns::Selection(
-        "linear elastic|St Venant-Kirchhoff|neo-Hookean|Mooney-Rivlin"),
-      "Hyperelastic law; linear elastic means small strains.");
+      "automatic",
+      Patterns::Selection("automatic|linear elastic|St Venant-Kirchhoff|"
+                          "neo-Hookean|Mooney-Rivlin"),
+      "Hyperelastic law; linear elastic means small strains. Shells: St "
+      "Venant-Kirchhoff or neo-Hookean, in plane stress. automatic: "
+      "neo-Hookean for solids, St Venant-Kirchhoff for shells.");
     prm.declare_entry("Young's modulus",
                       "0.0",
                       Patterns::Double(0.),
@@ -252,6 +254,19 @@ namespace Structure
                       "0.0",
                       Patterns::Double(0.),
                       "Second constant of Mooney-Rivlin [pressure].");
+    const auto not_negative = [&](const char *entry, const char *help) {
+      prm.declare_entry(entry, "0.0", Patterns::Double(0.), help);
+    };
+    not_negative("Yield stress",
+                 "Of elastic-plastic shells (J2 flow, isotropic hardening) "
+                 "[pressure]; 0: elastic.");
+    not_negative("Hardening modulus",
+                 "Growth of the flow stress with the equivalent plastic strain "
+                 "[pressure].");
+    not_negative("Saturation stress",
+                 "That the flow stress tends to, without the modulus above "
+                 "[pressure]; 0: none.");
+    not_negative("Saturation exponent", "How fast it does [-].");
     prm.declare_entry("Density",
                       "0.0",
                       Patterns::Double(0.),
@@ -262,6 +277,24 @@ namespace Structure
   void
   MaterialParameters::read(ParameterHandler &prm)
   {
+    hardening.yield_stress = prm.get_double("Yield stress");
+    hardening.modulus      = prm.get_double("Hardening modulus");
+    hardening.saturation   = prm.get_double("Saturation stress");
+    hardening.exponent     = prm.get_double("Saturation exponent");
+    AssertThrow(hardening.yield_stress > 0. ||
+                  (hardening.modulus == 0. && hardening.saturation == 0.),
+                ExcMessage("'Hardening modulus' or 'Saturation stress' is set "
+                           "but 'Yield stress' is 0; expected a yield "
+                           "stress."));
+    AssertThrow((hardening.saturation == 0.) == (hardening.exponent == 0.) &&
+                  (hardening.saturation == 0. ||
+                   hardening.saturation >= hardening.yield_stress),
+                ExcMessage("'Saturation stress' is " +
+                           std::to_string(hardening.saturation) +
+                           " and 'Saturation exponent' is " +
+                           std::to_string(hardening.exponent) +
+                           "; expected both or none, and a stress of at least "
+                           "'Yield stress'."));
     law            = prm.get("Law");
     youngs_modulus = prm.get_double("Young's modulus");
     poissons_ratio = prm.get_double("Poisson's ratio");
@@ -293,7 +326,7 @@ namespace Structure
       }
     else if (law == "St Venant-Kirchhoff")
       material = std::make_unique<StVenantKirchhoff>();
-    else if (law == "neo-Hookean")
+    else if (law == "neo-Hookean" || law == "automatic")
       material = std::make_unique<NeoHookean>();
     else if (C10 > 0.)
       {

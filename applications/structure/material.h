@@ -2,6 +2,8 @@
 #ifndef mortar_contact_structure_material_h
 #define mortar_contact_structure_material_h
 
+#include "shell_law.h"
+
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/tensor.h>
 
@@ -82,11 +84,13 @@ namespace Structure
     std::unique_ptr<Material>
     make() const;
 
-    std::string law            = "neo-Hookean";
+    /// "automatic": neo-Hookean, of shells St. Venant-Kirchhoff.
+    std::string law            = "automatic";
     double      youngs_modulus = 0.; ///< [Pa]
     double      poissons_ratio = 0.; ///< [-]
     double      C10 = 0., C01 = 0.;  ///< Mooney-Rivlin [Pa]
     double      density = 0.;        ///< [kg/m^3]
+    Hardening   hardening;           ///< Of shells.
   };
 
   /// Young's modulus of rubber [MPa] from its Shore A hardness (Gent 1958,

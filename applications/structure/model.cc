@@ -340,7 +340,8 @@ namespace Structure
                                                complete_index_set(total_dofs));
     matrix.clear();
     matrix.reinit(owned, owned, dsp, communicator);
-    n_nonzero          = matrix.n_nonzero_elements();
+    n_nonzero = matrix.n_nonzero_elements();
+    ++n_patterns;
     pattern_is_current = true;
   }
 
@@ -466,6 +467,12 @@ namespace Structure
               if (previous != nullptr)
                 cell_values(b, cell, previous_ghosted, before, dofs);
               cell_values(b, cell, u_ghosted, values, dofs);
+              // K_0 first: a body remembers the last evaluation of a cell
+              if (dynamic && integration.parameters.stiffness_damping > 0.)
+                {
+                  at_rest = 0.;
+                  b.evaluate(cell, at_rest, nullptr, true, ignored, stiffness);
+                }
               if (!b.evaluate(cell,
                               values,
                               previous ? &before : nullptr,
@@ -493,12 +500,7 @@ namespace Structure
                   damping = mass;
                   damping *= d.mass_damping;
                   if (d.stiffness_damping > 0.)
-                    {
-                      at_rest = 0.;
-                      b.evaluate(
-                        cell, at_rest, nullptr, true, ignored, stiffness);
-                      damping.add(d.stiffness_damping, stiffness);
-                    }
+                    damping.add(d.stiffness_damping, stiffness);
                   const auto add_inertia = [&](const Vector_t &a,
                                                const Vector_t &v,
                                                const double    factor,
@@ -660,6 +662,8 @@ namespace Structure
   void
   Model<dim>::commit(const Vector_t &u)
   {
+    for (const auto &b : bodies)
+      b->commit();
     if (!is_dynamic())
       return;
     Vector_t F = internal;

@@ -146,6 +146,7 @@ namespace Structure
     TimeIntegration           integration;
     bool                      is_symmetric = true;
     std::size_t               n_nonzero    = 0;
+    unsigned int              n_patterns   = 0; ///< Of the matrix so far.
 
   private:
     void

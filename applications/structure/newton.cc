@@ -71,7 +71,7 @@ namespace Structure
                       "none",
                       Patterns::Selection("none|linear"),
                       "Where a step starts: from the last state, or from the "
-                      "motion of the last step continued (statics). Saves "
+                      "motion of the last step continued. Saves "
                       "iterations where a tool moves steadily over something "
                       "soft; a step that fails is tried again without.");
   }
@@ -92,7 +92,7 @@ namespace Structure
   NewtonResult
   solve_step(Model<dim>                                       &model,
              const NewtonParameters                           &parameters,
-             const LinearSolverParameters                     &linear,
+             LinearSolver<dim>                                &linear,
              const double                                      time,
              const Vector_t                                   &u_start,
              Vector_t                                         &u,
@@ -158,7 +158,7 @@ namespace Structure
         // Step 2: the update.
         {
           TimerOutput::Scope scope(model.timer, "linear solver");
-          iterate.linear = solve_linear(model, linear, du);
+          iterate.linear = linear.solve(model, du);
         }
         ++result.iterations;
         ++iterate.iteration;
@@ -219,7 +219,7 @@ namespace Structure
   template NewtonResult
   solve_step(Model<2> &,
              const NewtonParameters &,
-             const LinearSolverParameters &,
+             LinearSolver<2> &,
              const double,
              const Vector_t &,
              Vector_t &,
@@ -228,7 +228,7 @@ namespace Structure
   template NewtonResult
   solve_step(Model<3> &,
              const NewtonParameters &,
-             const LinearSolverParameters &,
+             LinearSolver<3> &,
              const double,
              const Vector_t &,
              Vector_t &,

@@ -59,7 +59,7 @@ namespace Structure
   NewtonResult
   solve_step(Model<dim>                                       &model,
              const NewtonParameters                           &parameters,
-             const LinearSolverParameters                     &linear,
+             LinearSolver<dim>                                &linear,
              const double                                      time,
              const Vector_t                                   &u_start,
              Vector_t                                         &u,

@@ -2,6 +2,7 @@
 #include "rigid_parameters.h"
 
 #include "../geometry/surface_reader.h"
+#include "../geometry/thicken.h"
 #include "expression.h"
 #include "numbers_of.h"
 
@@ -109,6 +110,14 @@ namespace Structure
                       "1.0",
                       positive,
                       "Of the mesh's coordinates [-].");
+    prm.declare_entry(
+      "Thickness",
+      "0.0",
+      Patterns::Double(0.),
+      "Of a sheet, of which the mesh is the middle surface: "
+      "both sides and its edges are surfaces at half of it (as "
+      "rigid shells in automatic contact) [length]; 0: the mesh "
+      "is the outer surface (as in forming contact).");
     prm.declare_entry("Smooth",
                       "no",
                       Patterns::Selection("yes|no"),
@@ -181,6 +190,7 @@ namespace Structure
     formula       = prm.get("Formula");
     file          = prm.get("File");
     scale         = prm.get_double("Scale");
+    thickness     = prm.get_double("Thickness");
     smooth        = prm.get("Smooth") == "yes";
     crease_angle  = prm.get_double("Crease angle");
     position      = numbers_of(prm.get("Position"));
@@ -228,6 +238,9 @@ namespace Structure
       AssertThrow(s > 0.,
                   ExcMessage("'Sizes' has " + std::to_string(s) +
                              "; expected positive numbers."));
+    AssertThrow(thickness == 0. || (type == "mesh" && !smooth),
+                ExcMessage("'Thickness' is set: expected Type = mesh and "
+                           "Smooth = no."));
     AssertThrow(!smooth || type == "mesh",
                 ExcMessage("'Smooth' is 'yes' but 'Type' is '" + type +
                            "'; only a mesh has facets."));
@@ -247,10 +260,23 @@ namespace Structure
     if (type == "mesh")
       {
         std::vector<Tensor<1, dim>>            vertices;
-        std::vector<std::vector<unsigned int>> facets;
-        read_surface<dim>(file, vertices, facets);
+        std::vector<std::vector<unsigned int>> facets = this->facets;
+        if (file.empty())
+          for (const Tensor<1, 3> &given : this->vertices)
+            {
+              vertices.emplace_back();
+              for (unsigned int i = 0; i < dim; ++i)
+                vertices.back()[i] = given[i];
+            }
+        else
+          read_surface<dim>(file, vertices, facets);
         for (auto &v : vertices)
           v *= scale;
+        if constexpr (dim == 3)
+          if (thickness > 0.)
+            thicken(thickness, vertices, facets);
+        AssertThrow(dim == 3 || thickness == 0.,
+                    ExcMessage("'Thickness' is set but 'Dimension' is 2."));
         if (smooth)
           {
             std::vector<Facet<dim>> all;

@@ -36,19 +36,23 @@ namespace Structure
     Tensor<1, 3>
     shift(const double time) const;
 
-    std::string                name;
-    std::string                type   = "ball";
-    double                     radius = 1., tube_radius = 0.5, length = 0.;
-    double                     half_angle = 45.; ///< [deg]
-    std::vector<double>        sizes;
-    std::string                formula, file;
-    double                     scale        = 1.;
-    bool                       smooth       = false;
-    double                     crease_angle = 40.; ///< [deg]
-    std::vector<double>        position, axis;
-    std::array<std::string, 3> translation = {{"0", "0", "0"}};
-    std::vector<double>        rotation_axis, rotation_centre;
-    std::string                rotation_angle = "0"; ///< [rad]
+    std::string         name;
+    std::string         type   = "ball";
+    double              radius = 1., tube_radius = 0.5, length = 0.;
+    double              half_angle = 45.; ///< [deg]
+    std::vector<double> sizes;
+    std::string         formula, file;
+    /// For type mesh, by drivers that make it themselves: instead of the file.
+    std::vector<Tensor<1, 3>>              vertices;
+    std::vector<std::vector<unsigned int>> facets; ///< Normals point outward.
+    double                                 scale     = 1.;
+    double                                 thickness = 0.; ///< Of a sheet [m].
+    bool                                   smooth    = false;
+    double                                 crease_angle = 40.; ///< [deg]
+    std::vector<double>                    position, axis;
+    std::array<std::string, 3>             translation = {{"0", "0", "0"}};
+    std::vector<double>                    rotation_axis, rotation_centre;
+    std::string                            rotation_angle = "0"; ///< [rad]
     /// Motions that forces decide: "x", "y", "z", "rotation x", ...
     std::vector<std::string>   free_motions;
     std::array<std::string, 3> force = {{"0", "0", "0"}}, moment = force;

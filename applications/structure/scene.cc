@@ -146,12 +146,22 @@ namespace Structure
       prm.declare_entry("Type",
                         "solid",
                         Patterns::Selection("solid|shell"),
-                        "shell: the mesh is a surface in space; elastic (St. "
-                        "Venant-Kirchhoff), finite rotations.");
+                        "shell: the mesh is a surface in space; finite "
+                        "rotations.");
       prm.declare_entry("Thickness",
                         "0.0",
                         Patterns::Double(0.),
-                        "Of a shell [length].");
+                        "Of a shell [length]; 0: as the mesh file says (*SHELL "
+                        "SECTION of an Abaqus file), or Thickness of parts.");
+      prm.declare_entry(
+        "Thickness of parts",
+        "",
+        Patterns::Map(
+          Patterns::Anything(), Patterns::Double(1e-300), 0, 100000),
+        "Of a shell from a file: names (or numbers) of the parts "
+        "and their thickness [length], for example rim: 1.2, "
+        "panel: 0.7. Parts are the sections or element sets of "
+        "an Abaqus file, the physical surfaces of a gmsh file.");
       prm.declare_entry("Turn over",
                         "false",
                         Patterns::Bool(),
@@ -195,7 +205,18 @@ namespace Structure
       body.thickness      = prm.get_double("Thickness");
       body.is_turned      = prm.get_bool("Turn over");
       body.director_scale = prm.get_double("Director scale");
-      AssertThrow(body.is_shell == (body.thickness > 0.),
+      for (const std::string &part :
+           Utilities::split_string_list(prm.get("Thickness of parts")))
+        {
+          const std::size_t colon = part.rfind(':');
+          body.part_thickness[Utilities::trim(part.substr(0, colon))] =
+            Utilities::string_to_double(part.substr(colon + 1));
+        }
+      const bool has_parts = body.is_shell && body.mesh.type == "file";
+      AssertThrow(body.part_thickness.empty() || has_parts,
+                  ExcMessage("'Thickness of parts' is set: expected Type = "
+                             "shell and 'Mesh/Type' = file."));
+      AssertThrow(has_parts || body.is_shell == (body.thickness > 0.),
                   ExcMessage(body.is_shell ?
                                "'Type' is 'shell' but 'Thickness' is 0; "
                                "expected a positive number." :
@@ -205,15 +226,6 @@ namespace Structure
       body.mean_dilatation  = prm.get("Mean dilatation");
       body.body_force       = prm.get("Body force");
       body.initial_velocity = prm.get("Initial velocity");
-      AssertThrow(!body.is_shell ||
-                    (body.material.law != "Mooney-Rivlin" && body.degree == 1 &&
-                     body.mean_dilatation != "yes" &&
-                     body.material.youngs_modulus > 0.),
-                  ExcMessage(
-                    "'Type' is 'shell': expected Degree = 1, no mean "
-                    "dilatation, not Mooney-Rivlin, and a positive "
-                    "Young's modulus. Shells are of St. "
-                    "Venant-Kirchhoff's material whatever 'Law' says."));
       AssertThrow(body.mean_dilatation != "yes" ||
                     body.material.law == "Mooney-Rivlin",
                   ExcMessage("'Mean dilatation' is 'yes' but 'Material/Law' is "
@@ -251,6 +263,12 @@ namespace Structure
                         "The condition holds at the node nearest to this place "
                         "[length] instead of on faces; a traction is a force "
                         "then.");
+      prm.declare_entry("Where",
+                        "",
+                        Patterns::Anything(),
+                        "The condition holds at all nodes where this formula "
+                        "in x, y, z is not 0, instead of on faces; for example "
+                        "abs(x) < 30 && z > 5.");
       prm.declare_entry("On surface",
                         "false",
                         Patterns::Bool(),
@@ -285,6 +303,7 @@ namespace Structure
                                                           Type::pressure;
       c.values               = {{prm.get("x"), prm.get("y"), prm.get("z")}};
       c.point                = numbers_of(prm.get("Point"));
+      c.where                = prm.get("Where");
       c.on_surface           = prm.get_bool("On surface");
       c.fixes_directors      = prm.get("Directors") == "fixed";
       const std::vector<double> normal = numbers_of(prm.get("Plane normal"));
@@ -296,6 +315,10 @@ namespace Structure
                     c.type == Type::traction,
                   ExcMessage("'Point' is set but 'Type' is '" + type +
                              "'; expected displacement or traction."));
+      AssertThrow(c.where.empty() ||
+                    (c.type == Type::displacement && c.point.empty()),
+                  ExcMessage("'Where' is set: expected Type = displacement, "
+                             "and no 'Point'."));
       AssertThrow(!c.on_surface ||
                     (c.point.empty() &&
                      (c.type == Type::traction || c.type == Type::pressure)),
@@ -715,8 +738,8 @@ namespace Structure
         {
           using Type = BoundaryCondition::Type;
           if (&a >= &b || a.body != b.body || !a.point.empty() ||
-              !b.point.empty() || a.type != Type::displacement ||
-              b.type != Type::displacement)
+              !b.point.empty() || !a.where.empty() || !b.where.empty() ||
+              a.type != Type::displacement || b.type != Type::displacement)
             continue;
           for (const auto id : a.boundaries)
             for (unsigned int k = 0; k < 3; ++k)
@@ -729,11 +752,29 @@ namespace Structure
                                      " of '" + a.body +
                                      "'. Remove one of them."));
         }
-    AssertThrow(!scene.newton.predicts || !scene.dynamics.is_on,
-                ExcMessage("'Solver/Newton/Predictor' is 'linear' but "
-                           "'Dynamics/Type' is 'dynamic'; expected none."));
     for (const auto &b : scene.bodies)
       {
+        const std::string &law = b.material.law;
+        AssertThrow(!b.is_shell ||
+                      ((law == "automatic" || law == "St Venant-Kirchhoff" ||
+                        law == "neo-Hookean") &&
+                       b.degree == 1 && b.mean_dilatation != "yes"),
+                    ExcMessage("'Bodies/" + b.name +
+                               "' is a shell: expected Degree = 1, no mean "
+                               "dilatation, and 'Material/Law' automatic, St "
+                               "Venant-Kirchhoff or neo-Hookean, not '" +
+                               law + "'."));
+        AssertThrow(b.material.hardening.yield_stress == 0. ||
+                      (b.is_shell && law != "neo-Hookean"),
+                    ExcMessage("'Bodies/" + b.name +
+                               "/Material/Yield stress' is set: expected Type "
+                               "= shell, and not the neo-Hookean law."));
+        AssertThrow(b.material.hardening.yield_stress == 0. ||
+                      scene.dynamics.stiffness_damping == 0.,
+                    ExcMessage("'Bodies/" + b.name +
+                               "/Material/Yield stress' is set: expected no "
+                               "'Dynamics/Stiffness damping', which would "
+                               "depend on what has yielded."));
         AssertThrow(!scene.dynamics.is_on || b.material.density > 0.,
                     ExcMessage("'Dynamics/Type' is 'dynamic' but 'Bodies/" +
                                b.name +

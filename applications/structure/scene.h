@@ -11,6 +11,7 @@
 
 #include <mortar_contact/parameters/contact_parameters.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -19,9 +20,11 @@ namespace Structure
   /// One deformable body of a scene.
   struct BodyParameters
   {
-    std::string        name;
-    bool               is_shell       = false;
-    double             thickness      = 0.; ///< Of a shell [m].
+    std::string name;
+    bool        is_shell  = false;
+    double      thickness = 0.; ///< Of a shell [m].
+    /// Of the parts of a mesh file: name or material id, thickness [m].
+    std::map<std::string, double> part_thickness;
     double             director_scale = 0.; ///< Of a shell [m]; 0: cell size.
     bool               is_turned      = false; ///< Top and bottom exchanged.
     MeshParameters     mesh;

@@ -68,8 +68,39 @@ namespace Structure
             R.push_back(cell->vertex(v));
             D.push_back(directors[cell->vertex_index(v)]);
           }
-        elements.emplace_back(R, D, parameters.section, scale);
+        elements.emplace_back(R, D, section_of(cell->material_id()), scale);
       }
+    if (!parameters.thicknesses.empty())
+      {
+        std::vector<unsigned int> n(triangulation.n_vertices(), 0);
+        thickness_at.resize(n.size(), 0.);
+        for (const auto &cell : triangulation.active_cell_iterators())
+          for (const unsigned int v : cell->vertex_indices())
+            {
+              ++n[cell->vertex_index(v)];
+              thickness_at[cell->vertex_index(v)] +=
+                section_of(cell->material_id()).thickness;
+            }
+        for (std::size_t v = 0; v < n.size(); ++v)
+          thickness_at[v] /= std::max(1u, n[v]);
+        for (const auto &cell : triangulation.active_cell_iterators())
+          for (const auto &face : cell->face_iterators())
+            if (face->has_children())
+              thickness_at[face->child(0)->vertex_index(1)] =
+                0.5 * (thickness_at[face->vertex_index(0)] +
+                       thickness_at[face->vertex_index(1)]);
+      }
+  }
+
+
+  ShellSection
+  ShellBody::section_of(const types::material_id part) const
+  {
+    ShellSection section = parameters.section;
+    const auto   own     = parameters.thicknesses.find(part);
+    if (own != parameters.thicknesses.end())
+      section.thickness = own->second;
+    return section;
   }
 
 
@@ -77,8 +108,15 @@ namespace Structure
   ShellBody::description() const
   {
     std::ostringstream text;
-    text << ", shell of thickness " << parameters.section.thickness
-         << " (St. Venant-Kirchhoff)";
+    if (parameters.thicknesses.empty())
+      text << ", shell of thickness " << parameters.section.thickness;
+    else
+      for (const auto &[part, thickness] : parameters.thicknesses)
+        text << ", part " << part << " of thickness " << thickness;
+    text << (parameters.section.is_neo_hookean ? " (neo-Hookean)" :
+             parameters.section.hardening.yield_stress > 0. ?
+                                                 " (elastic-plastic)" :
+                                                 " (St. Venant-Kirchhoff)");
     return text.str();
   }
 
@@ -99,8 +137,53 @@ namespace Structure
                       Vector<double>       &forces,
                       FullMatrix<double>   &tangent)
   {
-    elements[cell].evaluate(u, with_tangent, previous, forces, tangent);
-    return std::isfinite(forces.l2_norm());
+    return elements[cell].evaluate(
+             u, with_tangent, previous, forces, tangent) &&
+           std::isfinite(forces.l2_norm());
+  }
+
+
+  void
+  ShellBody::commit()
+  {
+    for (ShellElement &element : elements)
+      element.commit();
+  }
+
+
+  std::vector<double>
+  ShellBody::history() const
+  {
+    std::vector<double> all;
+    for (const ShellElement &element : elements)
+      {
+        for (const PlasticState &s : element.states)
+          all.insert(all.end(),
+                     {s.strain[0], s.strain[1], s.strain[2], s.equivalent});
+        all.insert(all.end(), element.modes.begin(), element.modes.end());
+      }
+    return all;
+  }
+
+
+  void
+  ShellBody::restore(const std::vector<double> &state)
+  {
+    std::size_t n = 0, i = 0;
+    for (const ShellElement &element : elements)
+      n += 4 * element.states.size() + element.modes.size();
+    AssertThrow(n == state.size(),
+                ExcMessage("The saved state belongs to another shell."));
+    for (ShellElement &element : elements)
+      {
+        for (PlasticState &s : element.states)
+          {
+            s = {{{state[i], state[i + 1], state[i + 2]}}, state[i + 3]};
+            i += 4;
+          }
+        for (double &mode : element.modes)
+          mode = state[i++];
+      }
   }
 
 
@@ -193,8 +276,9 @@ namespace Structure
         const double w = points.weight(q);
         if (load.type != Type::pressure)
           {
-            const double per_volume =
-              load.type == Type::body_force ? parameters.section.thickness : 1.;
+            const double per_volume = load.type == Type::body_force ?
+                                        section_of(c->material_id()).thickness :
+                                        1.;
             dead(X, per_volume * w * cross_product_3d(X_r, X_s).norm(), N);
             continue;
           }
@@ -266,19 +350,13 @@ namespace Structure
   }
 
 
-  BoundaryNode<3>
-  ShellBody::nearest_node(const Point<3> &x) const
+  void
+  ShellBody::visit_nodes(
+    const std::function<void(const BoundaryNode<3> &)> &visit) const
   {
-    double          best = std::numeric_limits<double>::max();
-    BoundaryNode<3> nearest;
     for (const auto &cell : dof_handler.active_cell_iterators())
       for (const unsigned int v : cell->vertex_indices())
-        if (x.distance(cell->vertex(v)) < best)
-          {
-            best    = x.distance(cell->vertex(v));
-            nearest = node_of(cell, v);
-          }
-    return nearest;
+        visit(node_of(cell, v));
   }
 
 
@@ -290,8 +368,16 @@ namespace Structure
     MortarContact::ShellSkin<3> skin;
     skin.thickness      = parameters.section.thickness;
     skin.director_scale = scale;
-    skin.modulus        = parameters.contact_modulus;
-    skin.director       = [this](const unsigned int vertex) {
+    if (!thickness_at.empty())
+      {
+        skin.thickness =
+          *std::max_element(thickness_at.begin(), thickness_at.end());
+        skin.thickness_at = [this](const unsigned int vertex) {
+          return thickness_at[vertex];
+        };
+      }
+    skin.modulus  = parameters.contact_modulus;
+    skin.director = [this](const unsigned int vertex) {
       return directors[vertex];
     };
     skin.orientation = [this](const unsigned int cell) {
@@ -316,7 +402,7 @@ namespace Structure
     Vector<double>     fields(dof_handler.n_dofs());
     const unsigned int n_cells = triangulation.n_active_cells();
     Vector<double>     top(n_cells), middle(n_cells), bottom(n_cells),
-      largest(n_cells);
+      largest(n_cells), plastic(n_cells);
     std::vector<types::global_dof_index> dofs(fe->n_dofs_per_cell());
     for (unsigned int i = 0; i < local_cells.size(); ++i)
       {
@@ -325,15 +411,14 @@ namespace Structure
         for (unsigned int a = 0; a < dofs.size(); ++a)
           fields(dofs[a]) = values(a) / (a % 6 < 3 ? 1. : scale);
         const auto mises = [&](const double height) {
-          const auto s = elements[i].stress(values, height);
-          return std::sqrt(s[0] * s[0] + s[1] * s[1] - s[0] * s[1] +
-                           3. * s[2] * s[2]);
+          return von_mises(elements[i].stress(values, height));
         };
         const unsigned int c = local_cells[i]->active_cell_index();
         top(c)               = mises(1.);
         middle(c)            = mises(0.);
         bottom(c)            = mises(-1.);
         largest(c)           = std::max({top(c), middle(c), bottom(c)});
+        plastic(c)           = elements[i].plastic_strain();
       }
 
     using Kind = DataComponentInterpretation::DataComponentInterpretation;
@@ -354,6 +439,10 @@ namespace Structure
       {"von_Mises_bottom", &bottom}};
     for (const auto &[what, values] : stresses)
       data_out.add_data_vector(*values, what, DataOut<2, 3>::type_cell_data);
+    if (parameters.section.hardening.yield_stress > 0.)
+      data_out.add_data_vector(plastic,
+                               "plastic_strain",
+                               DataOut<2, 3>::type_cell_data);
     data_out.build_patches();
     data_out.write_vtu_in_parallel(file, communicator);
   }

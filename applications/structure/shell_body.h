@@ -6,6 +6,7 @@
 #include "shell_directors.h"
 #include "shell_element.h"
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,6 +17,8 @@ namespace Structure
   struct ShellParameters
   {
     ShellSection section;
+    /// By material id, where it is not that of the section [m].
+    std::map<types::material_id, double> thicknesses;
     /// s of ShellElement [m]; 0: the mean diameter of the cells.
     double director_scale  = 0.;
     bool   is_turned       = false; ///< Top and bottom exchanged.
@@ -63,6 +66,15 @@ namespace Structure
              Vector<double>       &forces,
              FullMatrix<double>   &tangent) override;
 
+    void
+    commit() override;
+
+    std::vector<double>
+    history() const override;
+
+    void
+    restore(const std::vector<double> &state) override;
+
     double
     energy(const unsigned int cell, const Vector<double> &u) override;
 
@@ -91,8 +103,9 @@ namespace Structure
       const std::set<types::boundary_id>                 &ids,
       const std::function<void(const BoundaryNode<3> &)> &visit) const override;
 
-    BoundaryNode<3>
-    nearest_node(const Point<3> &x) const override;
+    void
+    visit_nodes(
+      const std::function<void(const BoundaryNode<3> &)> &visit) const override;
 
     void
     add_to(MortarContact::ContactInterface<3> &interface,
@@ -109,11 +122,17 @@ namespace Structure
     BoundaryNode<3>
     node_of(const Cell &cell, const unsigned int vertex) const;
 
+    /// Material and thickness of a cell.
+    ShellSection
+    section_of(const types::material_id part) const;
+
     const ShellParameters     parameters;
-    double                    scale = 0.;  ///< s [m]
-    std::vector<int>          orientation; ///< By active cell.
-    std::vector<Tensor<1, 3>> directors;   ///< By vertex.
-    std::vector<ShellElement> elements;    ///< By local cell.
+    double                    scale = 0.;   ///< s [m]
+    std::vector<int>          orientation;  ///< By active cell.
+    std::vector<Tensor<1, 3>> directors;    ///< By vertex.
+    std::vector<double>       thickness_at; ///< Mean of the cells around;
+                                            ///< empty: the same everywhere.
+    std::vector<ShellElement> elements;     ///< By local cell.
   };
 } // namespace Structure
 

@@ -33,7 +33,7 @@ namespace Structure
 
 
   std::vector<unsigned int>
-  cyclic_vertices(const Triangulation<2, 3>::active_cell_iterator &cell)
+  cyclic_vertices(const Triangulation<2, 3>::cell_iterator &cell)
   {
     std::vector<unsigned int> v;
     for (const unsigned int k : cell->vertex_indices())
@@ -47,34 +47,37 @@ namespace Structure
   std::vector<int>
   orient(const Triangulation<2, 3> &mesh)
   {
-    // cells of each edge, and whether they run from its lower to its higher
-    // vertex
+    // Of the coarsest cells, which have no hanging nodes: their children run
+    // as they do. Cells of each edge, and whether they run from its lower to
+    // its higher vertex:
     using Edge = std::pair<unsigned int, unsigned int>;
     struct Side
     {
       unsigned int cell;
       bool         upwards;
     };
+    const unsigned int                n_cells = mesh.n_cells(0);
     std::map<Edge, std::vector<Side>> sides;
-    std::vector<std::vector<Edge>>    edges(mesh.n_active_cells());
-    std::vector<Tensor<1, 3>>         normals(mesh.n_active_cells());
+    std::vector<std::vector<Edge>>    edges(n_cells);
+    std::vector<Tensor<1, 3>>         normals(n_cells);
     const std::vector<Point<3>>      &x = mesh.get_vertices();
-    for (const auto &cell : mesh.active_cell_iterators())
+    for (const auto &cell : mesh.cell_iterators_on_level(0))
       {
-        const auto    v = cyclic_vertices(cell);
-        Tensor<1, 3> &n = normals[cell->active_cell_index()];
+        const unsigned int c = cell->index();
+        const auto         v = cyclic_vertices(cell);
+        Tensor<1, 3>      &n = normals[c];
         n = cross_product_3d(x[v[2]] - x[v[0]], x[v.back()] - x[v[1]]);
         n /= std::max(n.norm(), std::numeric_limits<double>::min());
         for (unsigned int k = 0; k < v.size(); ++k)
           {
             const unsigned int a = v[k], b = v[(k + 1) % v.size()];
             const Edge         edge(std::min(a, b), std::max(a, b));
-            sides[edge].push_back({cell->active_cell_index(), a < b});
-            edges[cell->active_cell_index()].push_back(edge);
+            sides[edge].push_back({c, a < b});
+            edges[c].push_back(edge);
           }
       }
 
-    std::vector<int> sign(mesh.n_active_cells(), 0);
+    std::vector<int> sign(n_cells, 0);
     for (unsigned int first = 0; first < sign.size(); ++first)
       {
         if (sign[first] != 0)
@@ -119,7 +122,16 @@ namespace Structure
               }
           }
       }
-    return sign;
+
+    std::vector<int> result(mesh.n_active_cells());
+    for (const auto &cell : mesh.active_cell_iterators())
+      {
+        Triangulation<2, 3>::cell_iterator ancestor = cell;
+        while (ancestor->level() > 0)
+          ancestor = ancestor->parent();
+        result[cell->active_cell_index()] = sign[ancestor->index()];
+      }
+    return result;
   }
 
 
@@ -232,6 +244,14 @@ namespace Structure
                                "normal'."));
         d *= length / d.norm();
       }
+
+    // a hanging node is in the middle of an edge, its director too
+    for (const auto &cell : mesh.active_cell_iterators())
+      for (const auto &face : cell->face_iterators())
+        if (face->has_children())
+          directors[face->child(0)->vertex_index(1)] =
+            0.5 * (directors[face->vertex_index(0)] +
+                   directors[face->vertex_index(1)]);
     return directors;
   }
 } // namespace Structure

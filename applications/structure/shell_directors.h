@@ -41,7 +41,7 @@ namespace Structure
 
   /// The vertices of a cell in cyclic order.
   std::vector<unsigned int>
-  cyclic_vertices(const Triangulation<2, 3>::active_cell_iterator &cell);
+  cyclic_vertices(const Triangulation<2, 3>::cell_iterator &cell);
 } // namespace Structure
 
 #endif

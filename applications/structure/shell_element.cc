@@ -2,9 +2,11 @@
 #include "shell_element.h"
 
 #include <deal.II/base/exceptions.h>
+#include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Structure
 {
@@ -371,9 +373,11 @@ namespace Structure
     plane(0, 0) = plane(1, 1) = E / (1. - nu * nu);
     plane(0, 1) = plane(1, 0) = nu * plane(0, 0);
     plane(2, 2)               = G;
-    for (unsigned int i = 0; i < 3; ++i)
-      for (unsigned int j = 0; j < 3; ++j)
-        law(i, j) = plane(i, j);
+    const bool has_layers     = section.has_layers();
+    if (!has_layers)
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = 0; j < 3; ++j)
+          law(i, j) = plane(i, j);
     law(3, 3) = law(4, 4) = shear_correction * G;
     law(5, 5)             = thickness_stiffness * E;
 
@@ -381,7 +385,8 @@ namespace Structure
     const bool         is_quad = R.size() == 4;
     const Basis        middle  = basis_at(table.middle, R, D, R[1] - R[0]);
     const unsigned int n_modes = is_quad ? 4 : 0;
-    FullMatrix<double> of_modes(n_modes, n_modes), mixed(n, n_modes);
+    of_modes.reinit(n_modes, n_modes);
+    mixed.reinit(n, n_modes);
     Q.reinit(n, n);
     shape_products.reinit(R.size(), R.size());
     for (unsigned int q = 0; q < table.points.size(); ++q)
@@ -392,7 +397,8 @@ namespace Structure
         const auto    A = cartesian(b, strains_at(p, table, R));
         const auto    B = bending(b, table, q);
         add_product(w * t, A, law, A, Q);
-        add_product(w * t * t * t / 12., B, plane, B, Q);
+        if (!has_layers)
+          add_product(w * t * t * t / 12., B, plane, B, Q);
 
         std::array<double, 4> N, dr, ds;
         shape(R.size(), p, N, dr, ds);
@@ -400,22 +406,52 @@ namespace Structure
           for (unsigned int j = 0; j < R.size(); ++j)
             shape_products(i, j) += table.weight * b.area * N[i] * N[j];
 
-        if (!is_quad)
-          continue;
         // modes r in 11, s in 22, r and s in 12
-        FullMatrix<double> M(6, 4);
+        FullMatrix<double> M(6, n_modes);
         const double       along[4]  = {p.r, p.s, p.r, p.s};
         const unsigned int strain[4] = {0, 1, 2, 2};
-        for (unsigned int m = 0; m < 4; ++m)
+        for (unsigned int m = 0; m < n_modes; ++m)
           for (unsigned int i = 0; i < 6; ++i)
             M(i, m) = middle.jacobian / b.jacobian *
                       middle.cartesian[i][strain[m]] * along[m];
-        add_product(w * t, M, law, M, of_modes);
-        add_product(w * t, A, law, M, mixed);
+        if (is_quad)
+          {
+            add_product(w * t, M, law, M, of_modes);
+            add_product(w * t, A, law, M, mixed);
+          }
+        if (has_layers)
+          {
+            // strains in the plane come from the forms of the membrane and
+            // from the three of bending at this point
+            LayeredPoint point;
+            point.weight = w;
+            point.A.reinit(3, table.first_shear);
+            point.M.reinit(3, n_modes);
+            point.B.reinit(3, 3);
+            for (unsigned int i = 0; i < 3; ++i)
+              {
+                for (unsigned int f = 0; f < table.first_shear; ++f)
+                  point.A(i, f) = A(i, f);
+                for (unsigned int m = 0; m < n_modes; ++m)
+                  point.M(i, m) = M(i, m);
+                for (unsigned int k = 0; k < 3; ++k)
+                  point.B(i, k) = b.cartesian[i][k];
+              }
+            layered.push_back(point);
+          }
+      }
+    if (has_layers)
+      {
+        const QGauss<1> rule(section.n_layers);
+        for (unsigned int l = 0; l < rule.size(); ++l)
+          layers.push_back({{2. * rule.point(l)[0] - 1., rule.weight(l)}});
+        if (section.hardening.yield_stress > 0.)
+          states.resize(layered.size() * layers.size());
+        modes.resize(n_modes, 0.);
       }
 
     // Step 2: the modes, condensed.
-    if (is_quad)
+    if (is_quad && !has_layers)
       {
         FullMatrix<double> inverse(4, 4), product(4, n), transposed(4, n);
         inverse.invert(of_modes);
@@ -473,7 +509,194 @@ namespace Structure
   }
 
 
-  void
+  bool
+  ShellElement::respond(const std::vector<double> &f,
+                        const bool                 with_tangent,
+                        std::vector<double>       &S,
+                        FullMatrix<double>        &D,
+                        std::vector<PlasticState> &now,
+                        std::vector<double>       &alpha,
+                        double                    &energy) const
+  {
+    const Table       &table = table_of(R.size());
+    const unsigned int n = f.size(), n_m = of_modes.m();
+    const unsigned int n_membrane = table.first_shear;
+    const double       t          = section.thickness;
+    const PlasticState untouched;
+    now   = states;
+    alpha = modes;
+
+    // strains, and what they depend on: forms, modes
+    const auto strain_at = [&](const unsigned int         q,
+                               const double               z,
+                               const std::vector<double> &alpha) {
+      const LayeredPoint &p = layered[q];
+      PlaneVector         e = {};
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          for (unsigned int k = 0; k < n_membrane; ++k)
+            e[i] += p.A(i, k) * f[k];
+          for (unsigned int m = 0; m < n_m; ++m)
+            e[i] += p.M(i, m) * alpha[m];
+          for (unsigned int k = 0; k < 3; ++k)
+            e[i] += z * p.B(i, k) * f[table.first_bending + 3 * q + k];
+        }
+      return e;
+    };
+
+    // Step 1: the modes, that their stresses vanish: the minimum of a convex
+    // function, by Newton's method with a line search.
+    std::vector<PlaneResponse> points(layered.size() * layers.size());
+    FullMatrix<double>         K(n_m, n_m);
+    Vector<double>             r(n_m), step(n_m);
+    double                     size     = 0.; ///< Of what adds up to r,
+    double                     noise    = 0.; ///< and of its round-off.
+    bool                       is_valid = true;
+    const auto                 evaluate = [&]() {
+      K        = of_modes;
+      size     = 0.;
+      noise    = 0.;
+      is_valid = true;
+      for (unsigned int m = 0; m < n_m; ++m)
+        {
+          r(m) = 0.;
+          for (unsigned int k = 0; k < n_m; ++k)
+            r(m) += of_modes(m, k) * alpha[k];
+          for (unsigned int k = 0; k < n; ++k)
+            r(m) += mixed(k, m) * f[k];
+        }
+      for (unsigned int q = 0; q < layered.size(); ++q)
+        for (unsigned int l = 0; l < layers.size(); ++l)
+          {
+            const unsigned int i = q * layers.size() + l;
+            const double       w = layered[q].weight * t * layers[l][1];
+            points[i] =
+              evaluate_plane_stress(section,
+                                    strain_at(q, 0.5 * t * layers[l][0], alpha),
+                                    states.empty() ? untouched : states[i]);
+            is_valid = is_valid && points[i].is_valid;
+            if (!states.empty())
+              now[i] = points[i].state;
+            for (unsigned int m = 0; m < n_m; ++m)
+              for (unsigned int a = 0; a < 3; ++a)
+                {
+                  const double g = w * layered[q].M(a, m);
+                  r(m) += g * points[i].stress[a];
+                  size += std::abs(g * points[i].stress[a]);
+                  noise += std::abs(g) * section.youngs_modulus;
+                  for (unsigned int k = 0; k < n_m; ++k)
+                    for (unsigned int b = 0; b < 3; ++b)
+                      K(m, k) +=
+                        g * points[i].tangent[a][b] * layered[q].M(b, k);
+                }
+          }
+    };
+    evaluate();
+    if (!is_valid)
+      return false;
+    bool converged = n_m == 0;
+    for (unsigned int iteration = 0; iteration < 50 && !converged; ++iteration)
+      {
+        K.gauss_jordan();
+        if (r.l2_norm() <= 1e-13 * size + 1e-15 * noise)
+          {
+            converged = true;
+            break;
+          }
+        K.vmult(step, r);
+        const std::vector<double> from  = alpha;
+        const double              slope = step * r;
+        double                    share = 1.;
+        for (unsigned int trial = 0; trial < 8; ++trial, share *= 0.5)
+          {
+            for (unsigned int m = 0; m < n_m; ++m)
+              alpha[m] = from[m] - share * step(m);
+            evaluate();
+            if (is_valid && std::abs(step * r) <= 0.8 * std::abs(slope))
+              break;
+          }
+        if (!is_valid)
+          return false;
+        // nothing changes any more
+        converged = std::equal(from.begin(), from.end(), alpha.begin());
+        if (converged)
+          K.gauss_jordan();
+      }
+    if (!converged)
+      return false;
+
+    // Step 2: stresses of the forms. K is the inverse of the modes' stiffness.
+    energy = 0.;
+    D      = Q;
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        S[i] = 0.;
+        for (unsigned int j = 0; j < n; ++j)
+          {
+            S[i] += Q(i, j) * f[j];
+            energy += 0.5 * f[i] * Q(i, j) * f[j];
+          }
+        for (unsigned int m = 0; m < n_m; ++m)
+          {
+            S[i] += mixed(i, m) * alpha[m];
+            energy += mixed(i, m) * f[i] * alpha[m];
+          }
+      }
+    for (unsigned int m = 0; m < n_m; ++m)
+      for (unsigned int k = 0; k < n_m; ++k)
+        energy += 0.5 * of_modes(m, k) * alpha[m] * alpha[k];
+    FullMatrix<double>        coupling = mixed; // (form, mode)
+    std::vector<unsigned int> form(n_membrane + 3);
+    FullMatrix<double>        E(3, n_membrane + 3);
+    for (unsigned int q = 0; q < layered.size(); ++q)
+      for (unsigned int l = 0; l < layers.size(); ++l)
+        {
+          const PlaneResponse &p = points[q * layers.size() + l];
+          const double         w = layered[q].weight * t * layers[l][1];
+          const double         z = 0.5 * t * layers[l][0];
+          energy += w * p.energy;
+          for (unsigned int c = 0; c < form.size(); ++c)
+            {
+              const bool is_bending = c >= n_membrane;
+              form[c] =
+                is_bending ? table.first_bending + 3 * q + c - n_membrane : c;
+              for (unsigned int a = 0; a < 3; ++a)
+                E(a, c) = is_bending ? z * layered[q].B(a, c - n_membrane) :
+                                       layered[q].A(a, c);
+            }
+          for (unsigned int c = 0; c < form.size(); ++c)
+            for (unsigned int a = 0; a < 3; ++a)
+              {
+                if (E(a, c) == 0.)
+                  continue;
+                const double g = w * E(a, c);
+                S[form[c]] += g * p.stress[a];
+                if (!with_tangent)
+                  continue;
+                double row[3];
+                for (unsigned int b = 0; b < 3; ++b)
+                  row[b] = g * p.tangent[a][b];
+                for (unsigned int d = 0; d < form.size(); ++d)
+                  for (unsigned int b = 0; b < 3; ++b)
+                    D(form[c], form[d]) += row[b] * E(b, d);
+                for (unsigned int m = 0; m < n_m; ++m)
+                  for (unsigned int b = 0; b < 3; ++b)
+                    coupling(form[c], m) += row[b] * layered[q].M(b, m);
+              }
+        }
+    if (with_tangent && n_m > 0)
+      {
+        FullMatrix<double> KC(n_m, n), transposed(n_m, n);
+        transposed.copy_transposed(coupling);
+        K.mmult(KC, transposed);
+        KC *= -1.;
+        coupling.mmult(D, KC, true);
+      }
+    return true;
+  }
+
+
+  bool
   ShellElement::evaluate(const Vector<double> &u,
                          const bool            with_tangent,
                          const Vector<double> *previous,
@@ -491,9 +714,19 @@ namespace Structure
     // Step 1: stresses of the forms, and the forms' derivatives.
     const std::vector<double> f = values(dz);
     std::vector<double>       S(n_forms, 0.);
-    for (unsigned int i = 0; i < n_forms; ++i)
-      for (unsigned int j = 0; j < n_forms; ++j)
-        S[i] += Q(i, j) * f[j];
+    FullMatrix<double>        of_forms;
+    const bool                has_layers = !layered.empty();
+    double                    energy     = 0.;
+    if (has_layers)
+      {
+        if (!respond(f, with_tangent, S, of_forms, trial, trial_modes, energy))
+          return false;
+      }
+    else
+      for (unsigned int i = 0; i < n_forms; ++i)
+        for (unsigned int j = 0; j < n_forms; ++j)
+          S[i] += Q(i, j) * f[j];
+    const FullMatrix<double> &C = has_layers ? of_forms : Q; // dS/df
     // B(form, dof), dofs in the element's order
     const auto dof = [n](const unsigned int k, const unsigned int c) {
       return (k < n) ? 6 * k + c : 6 * (k - n) + 3 + c;
@@ -516,30 +749,27 @@ namespace Structure
       for (unsigned int a = 0; a < 6 * n; ++a)
         forces(a) += B(i, a) * S[i];
     if (!with_tangent)
-      return;
+      return true;
 
     // Step 2: stresses of the geometric part.
     if (previous != nullptr)
       {
         Vector<double> difference = u;
         difference -= *previous;
-        const std::vector<Vec> step   = motion(difference);
-        std::vector<double>    linear = f;
+        const std::vector<Vec> step = motion(difference);
+        std::vector<double>    quadratic(n_forms, 0.);
         for (unsigned int i = 0; i < n_forms; ++i)
           for (const Term &term : table.forms[i])
-            linear[i] -=
+            quadratic[i] +=
               term.c * (combine(term.x, step) * combine(term.y, step));
         for (unsigned int i = 0; i < n_forms; ++i)
-          {
-            S[i] = 0.;
-            for (unsigned int j = 0; j < n_forms; ++j)
-              S[i] += Q(i, j) * linear[j];
-          }
+          for (unsigned int j = 0; j < n_forms; ++j)
+            S[i] -= C(i, j) * quadratic[j];
       }
 
     // Step 3: the tangent.
     FullMatrix<double> QB(n_forms, 6 * n);
-    Q.mmult(QB, B);
+    C.mmult(QB, B);
     B.Tmmult(tangent, QB);
     double geometric[8][8] = {};
     for (unsigned int i = 0; i < n_forms; ++i)
@@ -557,6 +787,7 @@ namespace Structure
         for (unsigned int c = 0; c < 3; ++c)
           tangent(dof(k, c), dof(l, c)) +=
             geometric[k][l] / ((k < n ? 1. : scale) * (l < n ? 1. : scale));
+    return true;
   }
 
 
@@ -564,11 +795,41 @@ namespace Structure
   ShellElement::energy(const Vector<double> &u) const
   {
     const std::vector<double> f = values(motion(u));
-    double                    e = 0.;
+    if (!layered.empty())
+      {
+        std::vector<double>       S(f.size()), alpha;
+        FullMatrix<double>        D;
+        std::vector<PlasticState> now;
+        double                    energy = 0.;
+        return respond(f, false, S, D, now, alpha, energy) ?
+                 energy :
+                 std::numeric_limits<double>::quiet_NaN();
+      }
+    double e = 0.;
     for (unsigned int i = 0; i < f.size(); ++i)
       for (unsigned int j = 0; j < f.size(); ++j)
         e += 0.5 * f[i] * Q(i, j) * f[j];
     return e;
+  }
+
+
+  void
+  ShellElement::commit()
+  {
+    if (!trial.empty())
+      states = trial;
+    if (!trial_modes.empty())
+      modes = trial_modes;
+  }
+
+
+  double
+  ShellElement::plastic_strain() const
+  {
+    double largest = 0.;
+    for (const PlasticState &state : states)
+      largest = std::max(largest, state.equivalent);
+    return largest;
   }
 
 
@@ -589,23 +850,34 @@ namespace Structure
   }
 
 
-  std::array<double, 3>
+  PlaneVector
   ShellElement::stress(const Vector<double> &u, const double height) const
   {
     const std::vector<double> f = values(motion(u));
-    double                    e[3];
+    PlaneVector               e = {};
     for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int k = 0; k < f.size(); ++k)
+        e[i] +=
+          f[k] * (membrane_at_middle(i, k) +
+                  0.5 * height * section.thickness * bending_at_middle(i, k));
+    // the plastic strains of the layer nearest, in the mean
+    PlasticState state;
+    if (!states.empty())
       {
-        e[i] = 0.;
-        for (unsigned int k = 0; k < f.size(); ++k)
-          e[i] +=
-            f[k] * (membrane_at_middle(i, k) +
-                    0.5 * height * section.thickness * bending_at_middle(i, k));
+        unsigned int nearest = 0;
+        for (unsigned int l = 1; l < layers.size(); ++l)
+          if (std::abs(layers[l][0] - height) <
+              std::abs(layers[nearest][0] - height))
+            nearest = l;
+        const double share = 1. / layered.size();
+        for (unsigned int q = 0; q < layered.size(); ++q)
+          {
+            const PlasticState &of_point = states[q * layers.size() + nearest];
+            for (unsigned int i = 0; i < 3; ++i)
+              state.strain[i] += share * of_point.strain[i];
+            state.equivalent += share * of_point.equivalent;
+          }
       }
-    const double E = section.youngs_modulus, nu = section.poissons_ratio;
-    const double c = E / (1. - nu * nu);
-    return {{c * (e[0] + nu * e[1]),
-             c * (e[1] + nu * e[0]),
-             E / (2. * (1. + nu)) * e[2]}};
+    return evaluate_plane_stress(section, e, state).stress;
   }
 } // namespace Structure

@@ -2,6 +2,8 @@
 #ifndef mortar_contact_structure_shell_element_h
 #define mortar_contact_structure_shell_element_h
 
+#include "shell_law.h"
+
 #include <deal.II/base/tensor.h>
 
 #include <deal.II/lac/full_matrix.h>
@@ -13,15 +15,6 @@
 namespace Structure
 {
   using namespace dealii;
-
-  /// Elastic shell: St. Venant-Kirchhoff, plane stress.
-  struct ShellSection
-  {
-    double youngs_modulus = 0.; ///< [Pa]
-    double poissons_ratio = 0.; ///< [-]
-    double thickness      = 0.; ///< [m]
-    double density        = 0.; ///< [kg/m^3]
-  };
 
   /**
    * Shell with extensible directors: quadrilateral (4 nodes) or triangle (3
@@ -41,7 +34,8 @@ namespace Structure
    * & Stein 1995) bending   at the integration points, and on quadrilaterals
    * four enhanced membrane modes (Simo & Rifai 1990), condensed once. The law
    * is linear, hence the energy is 1/2 f^T Q f with a constant matrix Q and f
-   * the forms' values: exactly objective.
+   * the forms' values: exactly objective. Other laws are integrated across the
+   * thickness; then the enhanced modes are found anew in each evaluation.
    *
    * The thickness strain is not coupled with those in the plane (its stiffness
    * is 10 E, so that directors keep their length); the plane is in plane
@@ -69,12 +63,14 @@ namespace Structure
     /**
      * Internal forces and tangent.
      * @param u        Values of the dofs.
+     * @return Nothing is valid if this is false: a layered element finds no
+     *         equilibrium of its enhanced modes.
      * @param previous Null, or the values at the iterate before: then the
      *                 stresses of the geometric stiffness are those
      * extrapolated from there (mixed integration point, Magisano, Leonetti &
      *                 Garcea 2017): far fewer iterations in large steps.
      */
-    void
+    bool
     evaluate(const Vector<double> &u,
              const bool            with_tangent,
              const Vector<double> *previous,
@@ -85,6 +81,21 @@ namespace Structure
     double
     energy(const Vector<double> &u) const;
 
+    /// Accept what the last evaluate() found as the end of a step.
+    void
+    commit();
+
+    /// By integration point, then across the thickness; empty: nothing to
+    /// remember.
+    std::vector<PlasticState> states;
+
+    /// Enhanced modes at the end of the last step, of layered elements.
+    std::vector<double> modes;
+
+    /// Largest equivalent plastic strain.
+    double
+    plastic_strain() const;
+
     /// Consistent mass matrix: rho t for v, rho t^3/12/s^2 for q; constant.
     void
     mass(FullMatrix<double> &M) const;
@@ -94,7 +105,7 @@ namespace Structure
      * of the middle (e_1 along the first edge), at z = height * t/2:
      * 11, 22, 12.
      */
-    std::array<double, 3>
+    PlaneVector
     stress(const Vector<double> &u, const double height) const;
 
     unsigned int
@@ -120,6 +131,33 @@ namespace Structure
     /// Cartesian strains in the middle by forms: membrane and bending, 3 rows.
     FullMatrix<double> membrane_at_middle, bending_at_middle;
     FullMatrix<double> shape_products; ///< int N_i N_j dA
+
+    /// For laws that are not linear: Q then holds shear and thickness only.
+    struct LayeredPoint
+    {
+      double             weight; ///< Area.
+      FullMatrix<double> A, M;   ///< Strains in the plane by forms, by modes,
+      FullMatrix<double> B;      ///< and bending by its own three forms.
+    };
+    std::vector<LayeredPoint> layered;
+    FullMatrix<double>        of_modes, mixed; ///< Shear and thickness.
+
+    /// Stresses of the forms, and their derivative, of layered shells.
+    /// @return Whether the enhanced modes were found.
+    bool
+    respond(const std::vector<double> &f,
+            const bool                 with_tangent,
+            std::vector<double>       &S,
+            FullMatrix<double>        &D,
+            std::vector<PlasticState> &now,
+            std::vector<double>       &alpha,
+            double                    &energy) const;
+
+    /// Across the thickness: heights over t/2, weights that sum to 1.
+    std::vector<std::array<double, 2>> layers;
+    // what the last evaluate() found
+    mutable std::vector<PlasticState> trial;
+    mutable std::vector<double>       trial_modes;
   };
 } // namespace Structure
 

@@ -18,6 +18,8 @@
 #include <cmath>
 #include <filesystem>
 #include <iomanip>
+#include <map>
+#include <set>
 #include <sstream>
 
 namespace Structure
@@ -46,10 +48,49 @@ namespace Structure
       return out.str();
     }
 
+    /// Thickness by material id: what the scene says, or the mesh file; empty
+    /// where all cells have that of the scene.
+    std::map<types::material_id, double>
+    thicknesses_of(const BodyParameters      &b,
+                   const ShellParts          &parts,
+                   const Triangulation<2, 3> &mesh)
+    {
+      std::map<types::material_id, double> result;
+      if (b.thickness == 0.)
+        result = parts.thickness;
+      std::set<types::material_id> ids;
+      for (const auto &cell : mesh.active_cell_iterators())
+        ids.insert(cell->material_id());
+      std::string known;
+      for (const types::material_id id : ids)
+        known += (known.empty() ? "" : ", ") + std::to_string(id);
+      for (const auto &name : parts.names)
+        known += ", " + name.first;
+      for (const auto &[name, thickness] : b.part_thickness)
+        {
+          const auto         named = parts.names.find(name);
+          types::material_id id    = numbers::invalid_material_id;
+          if (named != parts.names.end())
+            id = named->second;
+          else if (Patterns::Integer(0).match(name))
+            id = std::stoul(name);
+          AssertThrow(ids.count(id) > 0,
+                      ExcMessage("'Thickness of parts' names '" + name +
+                                 "'; the mesh has " + known + "."));
+          result[id] = thickness;
+        }
+      for (const types::material_id id : ids)
+        AssertThrow(b.thickness > 0. || result.count(id) > 0,
+                    ExcMessage(
+                      "'Thickness' is 0 and part " + std::to_string(id) +
+                      " has none of its own; the mesh has " + known + "."));
+      return result;
+    }
+
     /// What a checkpoint must agree with to be continued.
     struct CheckpointHead
     {
-      std::string             magic = "MortarContact checkpoint 1";
+      std::string             magic = "MortarContact checkpoint 2";
       std::string             parameters;
       unsigned int            n_ranks = 0;
       types::global_dof_index n_dofs  = 0;
@@ -75,6 +116,7 @@ namespace Structure
     // an error in the input ends the run
     , timer(std::cout, TimerOutput::never, TimerOutput::wall_times)
     , model(communicator, timer)
+    , linear_solver(scene.linear, communicator)
     , used_parameters(used_parameters)
     , log(log)
     , output(scene.output.directory, communicator)
@@ -86,13 +128,14 @@ namespace Structure
   std::vector<Vector_t *>
   Simulation<dim>::more_state()
   {
+    std::vector<Vector_t *> state;
     if (model.is_dynamic())
-      return {&model.integration.v_n,
-              &model.integration.a_n,
-              &model.integration.F_n};
+      state = {&model.integration.v_n,
+               &model.integration.a_n,
+               &model.integration.F_n};
     if (scene.newton.predicts)
-      return {&rate};
-    return {};
+      state.push_back(&rate);
+    return state;
   }
 
 
@@ -122,17 +165,20 @@ namespace Structure
   {
     if constexpr (dim == 3)
       {
-        Triangulation<2, 3> mesh;
-        make_shell_mesh(b.mesh, mesh);
+        Triangulation<2, 3>             mesh;
+        const ShellParts                parts = make_shell_mesh(b.mesh, mesh);
         const std::unique_ptr<Material> material = b.material.make();
         ShellParameters                 shell;
         shell.section         = {b.material.youngs_modulus,
                                  b.material.poissons_ratio,
                                  b.thickness,
-                                 b.material.density};
+                                 b.material.density,
+                                 b.material.law == "neo-Hookean",
+                                 b.material.hardening};
         shell.director_scale  = b.director_scale;
         shell.is_turned       = b.is_turned;
         shell.contact_modulus = material->contact_modulus;
+        shell.thicknesses     = thicknesses_of(b, parts, mesh);
         std::vector<SymmetryPlane> planes;
         for (const BoundaryCondition &c : scene.conditions)
           if (c.body == b.name && c.type == BoundaryCondition::Type::symmetry)
@@ -174,7 +220,7 @@ namespace Structure
       }
     for (const BoundaryCondition &c : scene.conditions)
       {
-        if (!c.point.empty() || c.on_surface)
+        if (!c.point.empty() || !c.where.empty() || c.on_surface)
           continue;
         const auto ids = model.body(c.body).boundary_ids();
         for (const auto id : c.boundaries)
@@ -326,20 +372,60 @@ namespace Structure
 
 
   template <int dim>
+  Vector_t
+  Simulation<dim>::predicted_motion(const double new_time)
+  {
+    Vector_t motion = model.make_vector();
+    // after some failures a step starts from the last state
+    if (!scene.newton.predicts || cut_backs_of_step >= 3 ||
+        rate.linfty_norm() == 0.)
+      return motion;
+    motion.equ(new_time - time, rate);
+    double share = 1.;
+    for (const auto &interface : model.interfaces)
+      share =
+        std::min(share, interface->largest_safe_step(u, motion, new_time));
+    if (share < 1.)
+      motion *= 0.99 * share;
+    return motion;
+  }
+
+
+  template <int dim>
+  double
+  Simulation<dim>::safe_target(const double target)
+  {
+    double safe = target;
+    if (rigid_bodies.empty())
+      return safe;
+    // the share is not linear where rigid bodies turn or bodies are curved
+    for (unsigned int trial = 0; trial < 5; ++trial)
+      {
+        const Vector_t motion = predicted_motion(safe);
+        double         share  = 1.;
+        for (const auto &interface : model.interfaces)
+          share =
+            std::min(share, interface->largest_safe_step(u, motion, safe));
+        const double shorter = 0.95 * share * (safe - time);
+        if (share >= 1. || shorter < scene.steps.smallest)
+          break;
+        safe = time + shorter;
+      }
+    if (safe < target)
+      log.line("  step to " + number(target) + " shortened to " + number(safe) +
+               ": rigid bodies would pass what is in their way");
+    return safe;
+  }
+
+
+  template <int dim>
   std::string
   Simulation<dim>::try_step(const double new_time)
   {
-    Vector_t trial    = u;
-    bool     predicts = scene.newton.predicts && rate.linfty_norm() > 0.;
-    if (predicts)
-      {
-        Vector_t motion = rate;
-        motion *= new_time - time;
-        double share = 1.;
-        for (const auto &interface : model.interfaces)
-          share = std::min(share, interface->largest_safe_step(u, motion));
-        trial.add(share, motion);
-      }
+    Vector_t       trial    = u;
+    const Vector_t start    = predicted_motion(new_time);
+    const bool     predicts = start.linfty_norm() > 0.;
+    trial += start;
     model.integration.start_step(new_time - time);
     last_newton = NewtonResult();
     bool again  = true;
@@ -352,7 +438,7 @@ namespace Structure
         const NewtonResult solved = solve_step(
           model,
           scene.newton,
-          scene.linear,
+          linear_solver,
           new_time,
           u,
           trial,
@@ -378,15 +464,13 @@ namespace Structure
         last_newton.iterations += solved.iterations;
         last_newton.linear_iterations += solved.linear_iterations;
         again = false;
-        if (!solved.converged && (mixed_points || predicts))
+        // a shorter step helps a prediction more than none
+        if (!solved.converged && mixed_points && !predicts)
           {
-            log.line("    " + solved.failure + " with " +
-                     (predicts ? "the predictor" : "") +
-                     (predicts && mixed_points ? " and " : "") +
-                     (mixed_points ? "extrapolated stresses of shells" : "") +
-                     "; again without");
-            mixed_points = predicts = false;
-            trial                   = u;
+            log.line("    " + solved.failure +
+                     " with extrapolated stresses of shells; again without");
+            mixed_points = false;
+            trial        = u;
             for (const auto &interface : model.interfaces)
               interface->rollback();
             again = true;
@@ -453,6 +537,7 @@ namespace Structure
         else if (target > stop - 0.5 * next_step)
           target = 0.5 * (time + stop);
 
+        target                    = safe_target(target);
         const std::string failure = try_step(target);
         if (!failure.empty())
           {
@@ -667,6 +752,9 @@ namespace Structure
     for (const Vector_t *v : more_state())
       for (const auto i : model.owned_dofs())
         values.push_back((*v)(i));
+    std::vector<std::vector<double>> states;
+    for (const auto &b : model.bodies)
+      states.push_back(b->history());
     bool ok = false;
     try
       {
@@ -675,7 +763,7 @@ namespace Structure
         {
           boost::archive::binary_oarchive archive(out);
           archive &head &time &step &next_step &cut_backs &newton_iterations
-            &linear_iterations &values;
+            &linear_iterations &values &states;
         }
         for (const auto &interface : model.interfaces)
           interface->save(out);
@@ -709,10 +797,11 @@ namespace Structure
     std::string failure;
     bool        other_parameters = false;
     {
-      std::ifstream        in(file, std::ios::binary);
-      CheckpointHead       head;
-      const CheckpointHead expected;
-      std::vector<double>  values;
+      std::ifstream                    in(file, std::ios::binary);
+      CheckpointHead                   head;
+      const CheckpointHead             expected;
+      std::vector<double>              values;
+      std::vector<std::vector<double>> states;
       if (!in)
         failure = "there is no such file";
       else
@@ -734,9 +823,10 @@ namespace Structure
             else
               {
                 archive &time &step &next_step &cut_backs &newton_iterations
-                  &linear_iterations &values;
-                if (values.size() !=
-                    model.owned_dofs().n_elements() * (1 + more_state().size()))
+                  &linear_iterations &values &states;
+                if (values.size() != model.owned_dofs().n_elements() *
+                                       (1 + more_state().size()) ||
+                    states.size() != model.bodies.size())
                   failure = "it is damaged";
               }
             if (failure.empty())
@@ -747,6 +837,8 @@ namespace Structure
                 for (Vector_t *v : more_state())
                   for (const auto dof : model.owned_dofs())
                     (*v)(dof) = values[i++];
+                for (std::size_t b = 0; b < states.size(); ++b)
+                  model.bodies[b]->restore(states[b]);
                 other_parameters = head.parameters != used_parameters;
                 for (const auto &interface : model.interfaces)
                   interface->load(in);

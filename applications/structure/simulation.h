@@ -57,18 +57,19 @@ namespace Structure
     /// Called after each accepted step, for tests and for drivers.
     std::function<void(Simulation<dim> &)> after_step;
 
-    const Scene    scene;
-    const MPI_Comm communicator;
-    TimerOutput    timer;
-    Model<dim>     model;
-    Vector_t       u;    ///< Displacements of the last accepted state.
-    Vector_t       rate; ///< Of the last step, for the predictor.
-    double         time              = 0.;
-    unsigned int   step              = 0; ///< Accepted steps.
-    unsigned int   cut_backs         = 0;
-    unsigned int   newton_iterations = 0; ///< Also of rejected steps.
-    unsigned int   linear_iterations = 0;
-    NewtonResult   last_newton; ///< Of the last accepted step.
+    const Scene       scene;
+    const MPI_Comm    communicator;
+    TimerOutput       timer;
+    Model<dim>        model;
+    LinearSolver<dim> linear_solver;
+    Vector_t          u;    ///< Displacements of the last accepted state.
+    Vector_t          rate; ///< Of the last step, for the predictor.
+    double            time              = 0.;
+    unsigned int      step              = 0; ///< Accepted steps.
+    unsigned int      cut_backs         = 0;
+    unsigned int      newton_iterations = 0; ///< Also of rejected steps.
+    unsigned int      linear_iterations = 0;
+    NewtonResult      last_newton; ///< Of the last accepted step.
 
     /// Contact force on a rigid body, and its moment about the body's centre of
     /// rotation [N, N m].
@@ -89,6 +90,14 @@ namespace Structure
 
     std::unique_ptr<Body<dim>>
     make_shell(const BodyParameters &parameters) const;
+
+    /// Where a step to @p new_time starts: the motion from u on.
+    Vector_t
+    predicted_motion(const double new_time);
+
+    /// The end of the next step: the tools go at most so far.
+    double
+    safe_target(const double target);
 
     /// One try; empty: accepted.
     std::string

@@ -269,29 +269,26 @@ namespace Structure
 
 
   template <int dim>
-  BoundaryNode<dim>
-  SolidBody<dim>::nearest_node(const Point<dim> &x) const
+  void
+  SolidBody<dim>::visit_nodes(
+    const std::function<void(const BoundaryNode<dim> &)> &visit) const
   {
     const FiniteElement<dim>            &scalar = fe->base_element(0);
     std::vector<types::global_dof_index> dofs(fe->n_dofs_per_cell());
-    double            best = std::numeric_limits<double>::max();
-    BoundaryNode<dim> node;
     for (const auto &cell : dof_handler.active_cell_iterators())
-      for (unsigned int k = 0; k < scalar.n_dofs_per_cell(); ++k)
-        {
-          const Point<dim> at =
-            mapping->transform_unit_to_real_cell(cell,
-                                                 scalar.unit_support_point(k));
-          if (x.distance(at) >= best)
-            continue;
-          best   = x.distance(at);
-          node.x = at;
-          cell->get_dof_indices(dofs);
-          for (unsigned int i = 0; i < dim; ++i)
-            node.dofs[i] =
-              this->numbering(dofs[fe->component_to_system_index(i, k)]);
-        }
-    return node;
+      {
+        cell->get_dof_indices(dofs);
+        for (unsigned int k = 0; k < scalar.n_dofs_per_cell(); ++k)
+          {
+            BoundaryNode<dim> node;
+            node.x = mapping->transform_unit_to_real_cell(
+              cell, scalar.unit_support_point(k));
+            for (unsigned int i = 0; i < dim; ++i)
+              node.dofs[i] =
+                this->numbering(dofs[fe->component_to_system_index(i, k)]);
+            visit(node);
+          }
+      }
   }
 
 

@@ -97,8 +97,9 @@ namespace Structure
                          const std::function<void(const BoundaryNode<dim> &)>
                            &visit) const override;
 
-    BoundaryNode<dim>
-    nearest_node(const Point<dim> &x) const override;
+    void
+    visit_nodes(const std::function<void(const BoundaryNode<dim> &)> &visit)
+      const override;
 
     void
     add_to(MortarContact::ContactInterface<dim> &interface,

@@ -166,9 +166,17 @@ namespace MortarContact
                                    const std::string              &part,
                                    const DoFNumbering             &numbering)
   {
+    const double scale = parameters.thickness_scale;
     if (parameters.thickness > 0.)
-      skin.thickness = parameters.thickness;
-    skin.thickness *= parameters.thickness_scale;
+      {
+        skin.thickness    = parameters.thickness;
+        skin.thickness_at = nullptr;
+      }
+    skin.thickness *= scale;
+    if (skin.thickness_at)
+      skin.thickness_at = [scale, given = skin.thickness_at](const auto v) {
+        return scale * given(v);
+      };
     add_facets(side,
                extract_shell(dof_handler, selection, skin, part, numbering),
                part);
@@ -267,8 +275,11 @@ namespace MortarContact
     last_report        = ContactReport();
     last_report.name   = name;
 
-    committed_time = 0.;
-    dissipation    = 0.;
+    committed_time    = 0.;
+    last_time         = 0.;
+    dissipation       = 0.;
+    largest_tool_step = 1.;
+    committed_values.clear();
 
     const bool is_single =
       parameters.kind == ContactParameters::Kind::automatic_single_surface;
@@ -531,6 +542,7 @@ namespace MortarContact
       body->commit();
     dissipation                 = last_report.dissipation;
     committed_time              = time;
+    committed_values            = values;
     last_report.n_augmentations = 0;
   }
 
@@ -595,6 +607,7 @@ namespace MortarContact
     // update() replaces it.
     for (const auto &sweep : sweeps)
       sweep->rollback();
+    last_time                   = committed_time;
     last_report.n_augmentations = 0;
   }
 

@@ -205,34 +205,45 @@ namespace MortarContact
       });
     if (!moves || !is_set_up || time == committed_time)
       return;
-    // from the last accepted place, at the displacements fetched
-    place_rigid_bodies(committed_time);
-    for (auto &surface : surfaces)
-      surface.move([&](const auto dof) { return value(dof); });
-    RigidMotion<dim> start;
-    if (obstacle)
-      start = obstacle->motion();
-    place_rigid_bodies(time);
+    const std::vector<double> now = values;
+    largest_tool_step =
+      safe_step_between(committed_values.empty() ? now : committed_values,
+                        committed_time,
+                        now,
+                        time);
+    values = now;
+  }
+
+
+  template <int dim>
+  double
+  ContactInterface<dim>::safe_step_between(const std::vector<double> &from,
+                                           const double               from_time,
+                                           const std::vector<double> &to,
+                                           const double               to_time)
+  {
+    values = to;
+    place_rigid_bodies(to_time);
     std::vector<Facet<dim>> moved[2];
     for (unsigned int side = 0; side < 2; ++side)
       moved[side] =
         surfaces[side].moved([&](const auto dof) { return value(dof); });
+    RigidMotion<dim> end;
+    if (obstacle)
+      end = obstacle->motion();
+    values = from;
+    place_rigid_bodies(from_time);
+    for (auto &surface : surfaces)
+      surface.move([&](const auto dof) { return value(dof); });
+
+    double step = 1.;
     for (unsigned int i = 0; i < sweeps.size(); ++i)
-      if (obstacle)
-        {
-          const RigidMotion<dim> end = obstacle->motion();
-          obstacle->surface->motion  = start;
-          largest_tool_step =
-            std::min(largest_tool_step,
-                     sweeps[i]->safe_step_to_obstacle(moved[0], end));
-          obstacle->surface->motion = end;
-        }
-      else
-        largest_tool_step =
-          std::min(largest_tool_step,
-                   sweeps[i]->safe_step(moved[side_of(i, 0)],
-                                        moved[side_of(i, 1)]));
-    largest_tool_step = Utilities::MPI::min(largest_tool_step, communicator);
+      step =
+        std::min(step,
+                 obstacle ? sweeps[i]->safe_step_to_obstacle(moved[0], end) :
+                            sweeps[i]->safe_step(moved[side_of(i, 0)],
+                                                 moved[side_of(i, 1)]));
+    return Utilities::MPI::min(step, communicator);
   }
 
 
@@ -249,6 +260,11 @@ namespace MortarContact
   ContactInterface<2>::place_rigid_bodies(const double);
   template void
   ContactInterface<2>::check_motion_of_tools(const double);
+  template double
+  ContactInterface<2>::safe_step_between(const std::vector<double> &,
+                                         const double,
+                                         const std::vector<double> &,
+                                         const double);
   template void
   ContactInterface<3>::add_secondary(const std::shared_ptr<RigidBody<3>> &);
   template void
@@ -262,4 +278,9 @@ namespace MortarContact
   ContactInterface<3>::place_rigid_bodies(const double);
   template void
   ContactInterface<3>::check_motion_of_tools(const double);
+  template double
+  ContactInterface<3>::safe_step_between(const std::vector<double> &,
+                                         const double,
+                                         const std::vector<double> &,
+                                         const double);
 } // namespace MortarContact

@@ -25,13 +25,16 @@ namespace MortarContact
                 ExcMessage("Contact surfaces of shells need elements of degree "
                            "1; found " +
                            dof_handler.get_fe().get_name() + "."));
-    const double half = 0.5 * skin.thickness;
+    const auto thickness_at = [&](const unsigned int vertex) {
+      return skin.thickness_at ? skin.thickness_at(vertex) : skin.thickness;
+    };
 
     // x = X +- (t/2) D + v +- t/(2 s) q. The first entry tells vertices apart:
     // v for the top, q for the bottom.
     const auto vertex_of =
       [&](const auto &cell, const unsigned int v, const bool is_top) {
-        const double         side = is_top ? half : -half;
+        const double side =
+          (is_top ? 0.5 : -0.5) * thickness_at(cell->vertex_index(v));
         SurfaceVertex<dim>   vertex;
         const Tensor<1, dim> place = cell->vertex(v);
         vertex.reference = place + side * skin.director(cell->vertex_index(v));
@@ -58,10 +61,12 @@ namespace MortarContact
              selection.materials.count(cell->material_id()) == 0))
           continue;
         SurfaceFacet<dim> common;
-        common.label         = {part, cell->global_active_cell_index()};
-        common.modulus       = skin.modulus;
-        common.length        = skin.thickness;
-        common.shortest_edge = skin.thickness;
+        common.label   = {part, cell->global_active_cell_index()};
+        common.modulus = skin.modulus;
+        for (const unsigned int v : cell->vertex_indices())
+          common.length +=
+            thickness_at(cell->vertex_index(v)) / cell->n_vertices();
+        common.shortest_edge = common.length;
 
         // counterclockwise about the cell's own normal
         std::vector<unsigned int> cyclic;

@@ -889,10 +889,8 @@ namespace MortarContact
                                const std::vector<Facet<dim>> &moved_p) const
   {
     double step = 1.;
-    if (owned.empty() || (moved_p.empty() && obstacle == nullptr))
+    if (owned.empty() || moved_p.empty())
       return step;
-    if (obstacle != nullptr)
-      return safe_step_to_obstacle(moved_s, obstacle->motion);
 
     std::vector<Box<dim>> boxes;
     for (unsigned int p = 0; p < moved_p.size(); ++p)

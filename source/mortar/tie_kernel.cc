@@ -46,20 +46,60 @@ namespace MortarContact
 
 
   template <int dim>
-  TieResponse<dim>
-  add_tie(const SecondaryFrame<dim> &frame,
-          const Facet<dim>          &primary,
-          const TiePoint<dim>       &tie,
-          const TieLaw<dim>         &law,
-          const bool                 with_tangent,
-          PairBlock<dim>            &block)
+  TiedPair<dim>::TiedPair(const SecondaryFrame<dim> &frame,
+                          const Facet<dim>          &primary,
+                          const TieLaw<dim>         &law,
+                          const bool                 with_tangent,
+                          PairBlock<dim>            &block)
+    : frame(frame)
+    , primary(primary)
+    , law(law)
+    , with_tangent(with_tangent)
+    , block(block)
+    , spin(by_secondary<dim>(frame.spin()))
+  {
+    for (unsigned int b = 0; b < T; ++b)
+      {
+        FacetVector<dim> v = {};
+        for (unsigned int a = 0; a < frame.facet.n_vertices; ++a)
+          {
+            const Tensor<1, dim> e_dn = frame.basis[b] * frame.dn[a];
+            for (unsigned int i = 0; i < dim; ++i)
+              v[a * dim + i] = e_dn[i];
+          }
+        tilt[b] = by_secondary<dim>(v);
+      }
+  }
+
+
+  template <int dim>
+  PairVector<dim>
+  TiedPair<dim>::row_of(const VertexValues<dim> &N_s,
+                        const VertexValues<dim> &N_p,
+                        const Tensor<1, dim>    &v) const
   {
     constexpr unsigned int P   = max_facet_components<dim>;
-    constexpr unsigned int T   = dim - 1;
-    const unsigned int     n_s = frame.facet.n_vertices;
-    const double           W   = tie.weight;
-    const auto             N_s = shape_values<dim>(n_s, tie.xi);
-    const auto             N_p = shape_values<dim>(primary.n_vertices, tie.eta);
+    PairVector<dim>        row = {};
+    for (unsigned int a = 0; a < frame.facet.n_vertices; ++a)
+      for (unsigned int i = 0; i < dim; ++i)
+        row[a * dim + i] = N_s[a] * v[i];
+    for (unsigned int a = 0; a < primary.n_vertices; ++a)
+      for (unsigned int i = 0; i < dim; ++i)
+        row[P + a * dim + i] = -N_p[a] * v[i];
+    return row;
+  }
+
+
+  template <int dim>
+  TieResponse<dim>
+  TiedPair<dim>::add(const TiePoint<dim> &tie)
+  {
+    const double W   = tie.weight;
+    const auto   N_s = shape_values<dim>(frame.facet.n_vertices, tie.xi);
+    const auto   N_p = shape_values<dim>(primary.n_vertices, tie.eta);
+    const auto   row = [&](const Tensor<1, dim> &v) {
+      return row_of(N_s, N_p, v);
+    };
 
     // Step 1: the law.
     const Tensor<1, dim> r =
@@ -82,49 +122,24 @@ namespace MortarContact
     ++block.n_points;
     ++block.n_active;
 
-    // Step 2: dc_a. The basis turns by
-    //   de_0 = w e_1 - a_0 n,  de_1 = -w e_0 - a_1 n,  dn = a_0 e_0 + a_1 e_1.
-    const auto row_of = [&](const Tensor<1, dim> &v) {
-      PairVector<dim> row = {};
-      for (unsigned int a = 0; a < n_s; ++a)
-        for (unsigned int i = 0; i < dim; ++i)
-          row[a * dim + i] = N_s[a] * v[i];
-      for (unsigned int a = 0; a < primary.n_vertices; ++a)
-        for (unsigned int i = 0; i < dim; ++i)
-          row[P + a * dim + i] = -N_p[a] * v[i];
-      return row;
-    };
-    std::array<PairVector<dim>, T> tilt;
-    for (unsigned int b = 0; b < T; ++b)
-      {
-        FacetVector<dim> v = {};
-        for (unsigned int a = 0; a < n_s; ++a)
-          {
-            const Tensor<1, dim> e_dn = frame.basis[b] * frame.dn[a];
-            for (unsigned int i = 0; i < dim; ++i)
-              v[a * dim + i] = e_dn[i];
-          }
-        tilt[b] = by_secondary<dim>(v);
-      }
-    const PairVector<dim> spin = by_secondary<dim>(frame.spin());
-
+    // Step 2: dc_a.
     std::array<PairVector<dim>, dim> dc;
     for (unsigned int b = 0; b < T; ++b)
       {
-        dc[b] = row_of(frame.basis[b]);
-        add(-c[T], tilt[b], dc[b]);
+        dc[b] = row(frame.basis[b]);
+        add_secondary(-c[T], tilt[b], dc[b]);
       }
-    dc[T] = row_of(frame.normal);
+    dc[T] = row(frame.normal);
     for (unsigned int b = 0; b < T; ++b)
-      add(c[b], tilt[b], dc[T]);
+      add_secondary(c[b], tilt[b], dc[T]);
     if constexpr (dim == 3)
       {
-        add(c[1], spin, dc[0]);
-        add(-c[0], spin, dc[1]);
+        add_secondary(c[1], spin, dc[0]);
+        add_secondary(-c[0], spin, dc[1]);
       }
 
     for (unsigned int a = 0; a < dim; ++a)
-      add(W * response.traction[a], dc[a], block.residual);
+      PairAlgebra::add(W * response.traction[a], dc[a], block.residual);
     if (!with_tangent)
       return response;
 
@@ -133,44 +148,62 @@ namespace MortarContact
       {
         PairVector<dim> right = {};
         for (unsigned int b = 0; b < dim; ++b)
-          add(W * response.tangent[a][b], dc[b], right);
+          if (response.tangent[a][b] != 0.)
+            PairAlgebra::add(W * response.tangent[a][b], dc[b], right);
         add_outer(dc[a], right, block.tangent);
       }
 
-    // Step 4: T_a d2c_a, first where the points and the basis move together.
-    const Tensor<1, dim> t        = W * response.traction;
-    const auto           add_both = [&](const PairVector<dim> &a,
+    // Step 4: T_a d2c_a, first where the points and the basis move together,
+    const Tensor<1, dim> t = W * response.traction;
+    for (unsigned int b = 0; b < T; ++b)
+      PairAlgebra::add(1.,
+                       row(t[T] * frame.basis[b] - t[b] * frame.normal),
+                       with_tilt[b]);
+
+    // then where the basis turns twice
+    on_normal += t[T] * r;
+    on_tangent += t[0] * r;
+    if constexpr (dim == 3)
+      {
+        PairAlgebra::add(1.,
+                         row(t[0] * frame.basis[1] - t[1] * frame.basis[0]),
+                         with_spin);
+        on_normal += t[1] * cross_product_3d(frame.basis[0], r);
+        on_tangent += t[1] * cross_product_3d(r, frame.normal);
+        // t_1 r . (dn x de_0), twice
+        add_secondary(t[1] * c[2], tilt[0], with_spin);
+        add_secondary(t[1] * c[1], tilt[0], with_tilt[0]);
+        add_secondary(-t[1] * c[0], tilt[0], with_tilt[1]);
+      }
+    return response;
+  }
+
+
+  template <int dim>
+  void
+  TiedPair<dim>::finish()
+  {
+    if (!with_tangent)
+      return;
+    const auto add_both = [&](const PairVector<dim> &a,
                               const PairVector<dim> &b) {
       add_outer(a, b, block.tangent);
       add_outer(b, a, block.tangent);
     };
     for (unsigned int b = 0; b < T; ++b)
-      add_both(row_of(t[T] * frame.basis[b] - t[b] * frame.normal), tilt[b]);
+      add_both(with_tilt[b], tilt[b]);
+    if (dim == 3)
+      add_both(with_spin, spin);
 
-    // then where the basis turns twice
-    Tensor<1, dim> on_normal = t[T] * r, on_tangent = t[0] * r;
-    if constexpr (dim == 3)
-      {
-        add_both(row_of(t[0] * frame.basis[1] - t[1] * frame.basis[0]), spin);
-        on_normal += t[1] * cross_product_3d(frame.basis[0], r);
-        on_tangent += t[1] * cross_product_3d(r, frame.normal);
-        // t_1 r . (dn x de_0), twice
-        PairVector<dim> right = {};
-        add(t[1] * c[2], spin, right);
-        add(t[1] * c[1], tilt[0], right);
-        add_both(tilt[0], right);
-        right = {};
-        add(-t[1] * c[0], tilt[0], right);
-        add_both(tilt[1], right);
-      }
     const auto curvature =
       frame.normal_curvature(on_normal, on_normal * frame.normal);
     // e_0 = a/|a|: q . d2e_0 [u, v] = -(1/|a|^2) [ (q . Pu)(e_0 . v)
     //   + (q . Pv)(e_0 . u) + (q . e_0)(Pu . Pv) ],  P = I - e_0 e_0
-    const Tensor<1, dim> &e  = frame.basis[0];
-    const double          qe = on_tangent * e;
-    const Tensor<1, dim>  Pq = on_tangent - qe * e;
-    const double          L2 = frame.tangent_length * frame.tangent_length;
+    const Tensor<1, dim> &e   = frame.basis[0];
+    const double          qe  = on_tangent * e;
+    const Tensor<1, dim>  Pq  = on_tangent - qe * e;
+    const double          L2  = frame.tangent_length * frame.tangent_length;
+    const unsigned int    n_s = frame.facet.n_vertices;
     for (unsigned int a = 0; a < n_s; ++a)
       for (unsigned int b = 0; b < n_s; ++b)
         {
@@ -182,7 +215,6 @@ namespace MortarContact
                 factor * (Pq[i] * e[j] + e[i] * Pq[j] +
                           qe * ((i == j ? 1. : 0.) - e[i] * e[j]));
         }
-    return response;
   }
 
 
@@ -196,18 +228,6 @@ namespace MortarContact
         const Facet<3> &,
         const PlanePoint<3> &,
         const PlanePoint<3> &);
-  template TieResponse<2>
-  add_tie(const SecondaryFrame<2> &,
-          const Facet<2> &,
-          const TiePoint<2> &,
-          const TieLaw<2> &,
-          const bool,
-          PairBlock<2> &);
-  template TieResponse<3>
-  add_tie(const SecondaryFrame<3> &,
-          const Facet<3> &,
-          const TiePoint<3> &,
-          const TieLaw<3> &,
-          const bool,
-          PairBlock<3> &);
+  template class TiedPair<2>;
+  template class TiedPair<3>;
 } // namespace MortarContact

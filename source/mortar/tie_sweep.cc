@@ -117,17 +117,18 @@ namespace MortarContact
         const Facet<dim> &other = primary.facets[pairs[i].second].current;
         active.push_back({pairs[i].first, pairs[i].second, {}});
         PairBlock<dim> &block = active.back().block;
+        TiedPair<dim>   pair(frame, other, law, with_tangent, block);
         for (std::size_t q = 0; q < ties[i].size(); ++q)
           {
             const TiePoint<dim> &tie = ties[i][q];
             // an open tie that has failed does nothing
-            trial[i][q] =
-              add_tie(frame, other, tie, law, with_tangent, block).history;
+            trial[i][q] = pair.add(tie).history;
             if (tie.history.damage < 1.)
               opening = std::max(
                 opening,
                 (apart(frame, other, tie.xi, tie.eta) - tie.apart).norm());
           }
+        pair.finish();
         if (symmetrise && with_tangent)
           PairAlgebra::symmetrise(block.tangent);
       }

@@ -270,3 +270,31 @@ TEST(ShellSkin, ThicknessForContactMayBeChanged)
       EXPECT_NEAR(contact.report().largest_penetration, depth, 1e-12);
     }
 }
+
+
+TEST(ShellSkin, ThicknessMayVaryFromVertexToVertex)
+{
+  const Tensor<1, 3> up({0., 0., 1.});
+  const Plate<3>     lying(2, [](const Point<3> &x) { return x; });
+  ShellSkin<3>       skin      = lying.skin(up);
+  const auto         thickness = [](const Tensor<1, 3> &x) {
+    return 0.1 + 0.02 * x[0];
+  };
+  skin.thickness_at = [&](const unsigned int v) {
+    return thickness(lying.mesh.get_vertices()[v]);
+  };
+  for (const auto &facet :
+       extract_shell<3>(lying.dof_handler, {}, skin, "s", {}))
+    for (unsigned int a = 0; a < facet.n_vertices; ++a)
+      {
+        const SurfaceVertex<3> &vertex = facet.vertices[a];
+        const double            t      = thickness(vertex.reference);
+        EXPECT_NEAR(std::abs(vertex.reference[2]), 0.5 * t, 1e-15);
+        // the director's share: (t/2)/s on the top, the opposite below
+        for (const auto &entry : vertex.row)
+          if (entry.weight != 1.)
+            {
+              EXPECT_NEAR(entry.weight, vertex.reference[2] / 0.3, 1e-15);
+            }
+      }
+}

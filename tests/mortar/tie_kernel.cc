@@ -34,8 +34,11 @@ namespace
            const Facet<3>    &p,
            const bool         tangent)
   {
-    PairBlock<3> block;
-    add_tie(SecondaryFrame<3>(s), p, tie, law, tangent, block);
+    PairBlock<3>            block;
+    const SecondaryFrame<3> frame(s);
+    TiedPair<3>             ties(frame, p, law, tangent, block);
+    (void)ties.add(tie);
+    ties.finish();
     return block;
   }
 
@@ -115,13 +118,10 @@ TEST(TieKernel, TangentOfDamageIsTheDerivativeOfTheForces)
           [&](const Facet<3> &s, const Facet<3> &p, const bool tangent) {
             return evaluate(tie, law, s, p, tangent);
           };
-        PairBlock<3> block;
-        const auto response = add_tie(SecondaryFrame<3>(pair.secondary.current),
-                                      pair.primary.current,
-                                      tie,
-                                      law,
-                                      true,
-                                      block);
+        PairBlock<3>            block;
+        const SecondaryFrame<3> frame(pair.secondary.current);
+        const auto              response =
+          TiedPair<3>(frame, pair.primary.current, law, false, block).add(tie);
         EXPECT_GT(response.history.damage, 0.1);
         EXPECT_LT(response.history.damage, 1.);
         EXPECT_LT(tangent_error<3>(at,

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Wrong inputs: each must end with code 1 and a message that names the entry, or
 # what was found.
-#   wrong_inputs.sh CONTACT_SCENE RUBBER_FIT FOLDER_OF_PRM WORK_FOLDER
+#   wrong_inputs.sh CONTACT_SCENE RUBBER_FIT DUMMY_ON_HOOD FOLDER_OF_PRM WORK
 set -uo pipefail
-scene=$1 fit=$2 prm=$3 work=$4
+scene=$1 fit=$2 dummy=$3 prm=$4 work=$5
 rm -rf "$work"
 mkdir -p "$work"
 punch="$prm/tutorial/punch_2d.prm"
@@ -157,6 +157,51 @@ set_strip "shear|Boundary ids|7" "$shear/Boundary ids=7"
 set_punch "solid|Directors|shell" "Boundary conditions/base/Directors=fixed"
 set_punch "Secondary|block|not a shell" "$c/Secondary=block: top"
 set_punch "Thickness scale|positive" "$c/Thickness scale=0"
+set_strip "Where|0 at all nodes|strip" "Boundary conditions/clamp/Where=x > 1000"
+set_strip "Where|no 'Point'" "$shear/Where=x > 9"
+set_strip "Law|shell|Mooney-Rivlin" "Bodies/strip/Material/Law=Mooney-Rivlin" "Bodies/strip/Material/C10=1"
+set_strip "Yield stress|neo-Hookean" "Bodies/strip/Material/Law=neo-Hookean" "Bodies/strip/Material/Yield stress=1"
+set_punch "Yield stress|shell" "$b/Material/Yield stress=1"
+set_strip "Hardening modulus|Yield stress" "Bodies/strip/Material/Hardening modulus=1"
+set_strip "Saturation stress|Yield stress" "Bodies/strip/Material/Yield stress=2" "Bodies/strip/Material/Saturation stress=1" "Bodies/strip/Material/Saturation exponent=1"
+set_strip "Thickness of parts|file" "Bodies/strip/Thickness of parts=rim: 1"
+# shells with parts, two squares
+cat > "$work/parts.inp" << 'END'
+*Node
+1, 0, 0, 0
+2, 5, 0, 0
+3, 10, 0, 0
+4, 0, 1, 0
+5, 5, 1, 0
+6, 10, 1, 0
+*Element, type=S4, elset=rim
+1, 1, 2, 5, 4
+*Element, type=S4, elset=panel
+2, 2, 3, 6, 5
+END
+parts=("Bodies/strip/Mesh/Type=file" "Bodies/strip/Mesh/File=$work/parts.inp"
+  "Bodies/strip/Mesh/Map=")
+set_strip "Thickness of parts|roof|RIM" "${parts[@]}" "Bodies/strip/Thickness of parts=roof: 1"
+set_strip "Thickness|part 2|PANEL" "${parts[@]}" "Bodies/strip/Thickness=0" "Bodies/strip/Thickness of parts=RIM: 1"
+set_strip "Map|file" "Bodies/strip/Mesh/Type=file" "Bodies/strip/Mesh/File=$work/parts.inp"
+sed 's/S4/C3D8/' "$work/parts.inp" > "$work/solid.inp"
+set_strip "solid.inp|line 8|C3D8|S3" "${parts[@]}" "Bodies/strip/Mesh/File=$work/solid.inp"
+
+# the dummy on the hood
+set_hood() {
+  local words=$1
+  shift
+  local arguments=()
+  for setting in "$@"; do arguments+=(--set "$setting"); done
+  refuse "$words" "$dummy" "$prm/dummy_on_hood.prm" "${arguments[@]}"
+}
+set_hood "Parts|1, 2, 3|semi-axes" "Dummy/Parts=1, 2, 3"
+set_hood "Parts|over the hood" "Dummy/Position=5000, 0"
+set_hood "Flanges|space for bowls" "Hood/Flange width=500"
+set_hood "Panel cells|positive" "Hood/Panel cells=0, 10"
+set_hood "Foam thickness|semi-axes" "Dummy/Type=foam" "Dummy/Foam thickness=500"
+set_hood "Where|hinges|frame" "Hood/Support size=1"
+set_hood "Dummy/Type|wood" "Dummy/Type=wood"
 
 set_punch "File|bad.msh|gmsh" "$b/Mesh/Type=file" "$b/Mesh/File=$work/bad.msh"
 # a folder that cannot be made

@@ -4,10 +4,15 @@
 #include <deal.II/grid/grid_tools.h>
 
 #include <geometry/surface_reader.h>
+#include <geometry/thicken.h>
 
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <functional>
+#include <map>
+#include <sstream>
+#include <utility>
 
 using namespace dealii;
 using namespace Structure;
@@ -122,4 +127,149 @@ TEST(MeshFiles, SurfacesAreReadFromStlAndAbaqus)
   Structure::read_surface<3>("tet.inp", vertices, facets);
   ASSERT_EQ(facets.size(), 1u);
   EXPECT_EQ(facets[0].size(), 4u);
+}
+
+
+
+namespace
+{
+  /// Two squares side by side in the plane z = 0, a section each; the second
+  /// with its set by numbers and another name for the first.
+  const char *two_sections =
+    "*Heading\n** a comment\n*Node\n"
+    "10, 0., 0., 0.\n20, 1., 0., 0.\n30, 2., 0., 0.\n"
+    "40, 0., 1., 0.\n50, 1., 1., 0.\n60, 2., 1., 0.\n99, 7., 7., 7.\n"
+    "*Element, type=S4R,\n elset=all\n7, 10, 20, 50, 40\n8, 20, 30, 60, 50\n"
+    "*Elset, elset=Rim, generate\n8, 8, 1\n*Elset, elset=Panel\n7\n"
+    "*Shell Section, elset=Panel, material=steel\n0.7, 5\n"
+    "*Shell Section, elset=Rim, material=steel\n1.2, 5\n";
+
+  std::string
+  message_of(const std::function<void()> &action)
+  {
+    try
+      {
+        action();
+      }
+    catch (const ExcMessage &e)
+      {
+        std::ostringstream text;
+        e.print_info(text);
+        return text.str();
+      }
+    return "";
+  }
+} // namespace
+
+
+
+TEST(MeshFiles, AbaqusShellsHavePartsWithThickness)
+{
+  std::ofstream("parts.inp") << two_sections;
+  MeshParameters parameters;
+  parameters.type = "file";
+  parameters.file = "parts.inp";
+  Triangulation<2, 3> mesh;
+  const ShellParts    parts = make_shell_mesh(parameters, mesh);
+  EXPECT_EQ(mesh.n_active_cells(), 2u);
+  EXPECT_EQ(mesh.n_used_vertices(), 6u);
+  ASSERT_EQ(parts.names.size(), 2u);
+  EXPECT_EQ(parts.names.at("PANEL"), 1u);
+  EXPECT_EQ(parts.names.at("RIM"), 2u);
+  EXPECT_EQ(parts.thickness.at(1), 0.7);
+  EXPECT_EQ(parts.thickness.at(2), 1.2);
+  for (const auto &cell : mesh.active_cell_iterators())
+    EXPECT_EQ(cell->material_id(), cell->center()[0] < 1. ? 1u : 2u);
+}
+
+
+
+TEST(MeshFiles, AbaqusShellErrorsNameFileAndLine)
+{
+  const auto error = [](const std::string &from, const std::string &to) {
+    std::string       text = two_sections;
+    const std::size_t at   = text.find(from);
+    text.replace(at, from.size(), to);
+    std::ofstream("bad.inp") << text;
+    return message_of([]() {
+      Triangulation<2, 3> mesh;
+      (void)read_abaqus_shell("bad.inp", mesh);
+    });
+  };
+  EXPECT_NE(error("S4R", "C3D8").find("line 12 has 'TYPE=C3D8'"),
+            std::string::npos);
+  EXPECT_NE(error("0.7, 5", "-0.7").find("'-0.7'; expected a positive"),
+            std::string::npos);
+  EXPECT_NE(error("8, 20, 30", "8, 20, 33").find("has the node 33"),
+            std::string::npos);
+  EXPECT_NE(error("20, 1., 0", "20, one, 0").find("line 5 has 'one'"),
+            std::string::npos);
+  EXPECT_NE(error("Panel\n7", "Panel\n9").find("element 7 belongs to no"),
+            std::string::npos);
+  EXPECT_NE(error("8, 20, 30, 60, 50", "8, 20, 30, 60, 60").find("mixes"),
+            std::string::npos);
+}
+
+
+
+TEST(MeshFiles, GmshShellsHaveNamedParts)
+{
+  std::ofstream("parts.msh")
+    << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
+       "$PhysicalNames\n3\n1 4 \"edge\"\n2 5 \"outer panel\"\n2 6 \"rim\"\n"
+       "$EndPhysicalNames\n"
+       "$Nodes\n6\n1 0 0 0\n2 1 0 0\n3 2 0 1\n4 0 1 0\n5 1 1 0\n6 2 1 1\n"
+       "$EndNodes\n$Elements\n3\n1 1 2 4 1 1 2\n"
+       "2 3 2 5 1 1 2 5 4\n3 3 2 6 1 2 3 6 5\n$EndElements\n";
+  MeshParameters parameters;
+  parameters.type = "file";
+  parameters.file = "parts.msh";
+  Triangulation<2, 3> mesh;
+  const ShellParts    parts = make_shell_mesh(parameters, mesh);
+  EXPECT_EQ(mesh.n_active_cells(), 2u);
+  ASSERT_EQ(parts.names.size(), 2u);
+  EXPECT_EQ(parts.names.at("outer panel"), 5u);
+  EXPECT_EQ(parts.names.at("rim"), 6u);
+  unsigned int n_edges = 0;
+  for (const auto &cell : mesh.active_cell_iterators())
+    {
+      EXPECT_EQ(cell->material_id(), cell->center()[0] < 1. ? 5u : 6u);
+      for (const auto &face : cell->face_iterators())
+        n_edges += face->at_boundary() && face->boundary_id() == 4;
+    }
+  EXPECT_EQ(n_edges, 1u);
+}
+
+
+
+// A rigid sheet of area 2 and thickness 0.1: a closed surface around the volume
+// 0.2 by the divergence theorem, its faces at half the thickness (THEORY T37).
+TEST(MeshFiles, ARigidSheetGetsItsThickness)
+{
+  std::vector<Tensor<1, 3>> x;
+  for (const double a : {0., 1., 2.})
+    for (const double b : {0., 1.})
+      x.push_back(Tensor<1, 3>({a, b, 3.}));
+  std::vector<std::vector<unsigned int>> facets = {{0, 2, 3, 1},
+                                                   {2, 4, 5},
+                                                   {2, 5, 3}};
+  thicken(0.1, x, facets);
+  EXPECT_EQ(facets.size(), 2u * 3u + 6u);
+  double                                                        volume = 0.;
+  std::map<std::pair<unsigned int, unsigned int>, unsigned int> edges;
+  for (const auto &f : facets)
+    for (unsigned int k = 0; k < f.size(); ++k)
+      {
+        ++edges[{f[k], f[(k + 1) % f.size()]}];
+        if (k > 0 && k + 1 < f.size())
+          volume += x[f[0]] * cross_product_3d(x[f[k]], x[f[k + 1]]) / 6.;
+      }
+  EXPECT_NEAR(volume, 0.2, 1e-14);
+  for (const auto &[edge, n] : edges)
+    {
+      EXPECT_EQ(n, 1u);
+      EXPECT_EQ(edges.count({edge.second, edge.first}), 1u);
+    }
+  for (const auto &v : x)
+    EXPECT_NEAR(std::abs(v[2] - 3.), 0.05, 1e-15);
 }

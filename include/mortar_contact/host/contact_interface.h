@@ -164,6 +164,18 @@ namespace MortarContact
     largest_safe_step(const VectorType &u, const VectorType &du);
 
     /**
+     * Largest share of a step by which no facet passes another unseen: the
+     * rigid bodies that are moved go from where they were at the last commit()
+     * to their place at @p time, the others from @p u by @p du. A driver may
+     * ask before it solves the step; else advice() says so afterwards.
+     */
+    template <class VectorType>
+    double
+    largest_safe_step(const VectorType &u,
+                      const VectorType &du,
+                      const double      time);
+
+    /**
      * One augmentation of the last update(), taken as converged.
      * @return True if penetrations were above the tolerance: solve the step
      * again. Always false without augmentation.
@@ -324,9 +336,18 @@ namespace MortarContact
     place_rigid_bodies(const double time);
 
     /// Whether the rigid bodies that are moved may go to their place at @p time
-    /// in one step, see largest_safe_step(); from the last accepted place.
+    /// in one step, see largest_safe_step(); from the last accepted state to
+    /// the values fetched.
     void
     check_motion_of_tools(const double time);
+
+    /// Largest safe share of a motion between two sets of values of dofs, each
+    /// with a time for the rigid bodies. Leaves everything at the first.
+    double
+    safe_step_between(const std::vector<double> &from,
+                      const double               from_time,
+                      const std::vector<double> &to,
+                      const double               to_time);
 
     void
     number_parts();
@@ -421,7 +442,8 @@ namespace MortarContact
     unsigned int n_rigid_vertices = 0;
 
     std::vector<types::global_dof_index> dofs;   ///< Of both surfaces, sorted.
-    std::vector<double>                  values; ///< Of these dofs.
+    std::vector<double>                  values; ///< Of these dofs,
+    std::vector<double>                  committed_values; ///< last accepted.
     IndexSet                             fetched_owned;
     std::unique_ptr<Utilities::MPI::NoncontiguousPartitioner> partitioner;
   };

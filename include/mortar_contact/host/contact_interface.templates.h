@@ -31,7 +31,9 @@ namespace MortarContact
                                 const bool        with_tangent)
   {
     fetch(u);
-    if (time != last_time)
+    if (time == committed_time)
+      committed_values = values;
+    else if (time != last_time)
       check_motion_of_tools(time);
     place_rigid_bodies(time);
     last_time = time;
@@ -108,27 +110,29 @@ namespace MortarContact
                                            const VectorType &du)
   {
     fetch(u);
-    place_rigid_bodies(last_time);
-    for (auto &surface : surfaces)
-      surface.move([&](const auto dof) { return value(dof); });
     const std::vector<double> from = values;
     fetch(du);
+    std::vector<double> to = from;
     for (std::size_t i = 0; i < values.size(); ++i)
-      values[i] += from[i];
-    place_rigid_bodies(last_time);
-    std::vector<Facet<dim>> moved[2];
-    for (unsigned int side = 0; side < 2; ++side)
-      moved[side] =
-        surfaces[side].moved([&](const auto dof) { return value(dof); });
-    values = from;
-    place_rigid_bodies(last_time);
+      to[i] += values[i];
+    return safe_step_between(from, last_time, to, last_time);
+  }
 
-    double step = 1.;
-    for (unsigned int i = 0; i < sweeps.size(); ++i)
-      step = std::min(step,
-                      sweeps[i]->safe_step(moved[side_of(i, 0)],
-                                           moved[side_of(i, 1)]));
-    return Utilities::MPI::min(step, communicator);
+
+  template <int dim>
+  template <class VectorType>
+  double
+  ContactInterface<dim>::largest_safe_step(const VectorType &u,
+                                           const VectorType &du,
+                                           const double      time)
+  {
+    fetch(u);
+    const std::vector<double> from = values;
+    fetch(du);
+    std::vector<double> to = from;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      to[i] += values[i];
+    return safe_step_between(from, committed_time, to, time);
   }
 
 

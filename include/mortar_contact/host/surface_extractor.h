@@ -34,11 +34,13 @@ namespace MortarContact
   template <int dim>
   struct ShellSkin
   {
-    double       thickness                = 0.; ///< Between top and bottom [m].
+    double       thickness                = 0.; ///< Between top and bottom [m],
     double       director_scale           = 1.; ///< s [m]
     double       modulus                  = 0.; ///< Contact modulus [Pa].
     unsigned int first_component          = 0;  ///< v
     unsigned int first_director_component = dim; ///< q
+    /// or by vertex where it varies; else null.
+    std::function<double(const unsigned int)> thickness_at;
     /// D at a vertex, by its number in the triangulation; out of the top.
     std::function<Tensor<1, dim>(const unsigned int)> director;
     /// By active cell: +1 if the top is where the cell's own normal points

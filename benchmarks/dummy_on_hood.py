@@ -1,0 +1,203 @@
+#!/usr/bin/python3
+"""Contact methods compared on the dummy on the hood.
+
+Usage: benchmarks/dummy_on_hood.py [--file FILE.prm] [--repeat N] [--ranks N]
+         [--output DIR] [--reference] [--tight] [--set "Section/Entry=value"]...
+
+Runs the same scene, with the same solver and tolerances, by
+  segments   mortar contact over the overlaps of facets,
+  points     mortar contact at fixed points of the secondary's facets,
+  nodes      node-to-segment contact,
+  smoothed   the same with stiffness smoothing,
+in turn, N times each, and writes DIR/table.md and DIR/forces.png from the runs'
+own files. --reference adds a run with a finer panel and dummy and tolerances
+a hundred times tighter, --tight one such run of each method on its own mesh.
+
+Roughness (of the force against the dummy's motion, at equal steps; a jump is a
+change of more than 10 % of the mean force within a step):
+  ripple     rms distance from the local parabola through 7 samples, over the
+             mean force, in windows free of jumps
+  kink       largest second difference outside jumps, over the mean force
+  excess     total variation over the range, less 1, while pressed (one-way)
+"""
+import argparse
+import csv
+import json
+import os
+import subprocess
+import sys
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+
+METHODS = {
+    "segments": ["Contact/Integration=segments"],
+    "points": ["Contact/Integration=points"],
+    "nodes": ["Contact/Integration=nodes"],
+    "smoothed": ["Contact/Integration=nodes", "Contact/Stiffness smoothing=0.5"],
+}
+TIGHT = [
+    "Solver/Newton/Force tolerance=1e-10",
+    "Solver/Newton/Displacement tolerance=1e-8",
+]
+FINE = ["Hood/Panel cells=60, 72", "Dummy/Facet size=5"] + TIGHT
+WINDOW = 7
+
+
+def run(name, settings, arguments):
+    """One run. Returns its summary, history and whether it finished."""
+    folder = os.path.join(arguments.output, name.replace(" ", "_"))
+    command = ["mpirun", "-np", str(arguments.ranks)]
+    command += [os.path.join(arguments.build, "dummy_on_hood"), arguments.file]
+    command += ["--quiet", "--output", folder]
+    # equal samples, whatever the steps between
+    times = ", ".join(f"{arguments.sample * i:.10g}" for i in range(1, 1000)
+                      if arguments.sample * i < 2.0)
+    for setting in [f"Steps/Times to meet={times}", "Output/Every=0"]:
+        command += ["--set", setting]
+    for setting in arguments.set + settings:
+        command += ["--set", setting]
+    environment = dict(os.environ, OMP_NUM_THREADS="1")
+    environment.setdefault("OMPI_ALLOW_RUN_AS_ROOT", "1")
+    environment.setdefault("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1")
+    code = subprocess.run(command, env=environment, stdout=subprocess.DEVNULL).returncode
+    if code not in (0, 2):
+        sys.exit(f"{name}: exit code {code}: {' '.join(command)}")
+    with open(os.path.join(folder, "summary.json")) as file:
+        summary = json.load(file)
+    with open(os.path.join(folder, "history.csv"), newline="") as file:
+        rows = list(csv.DictReader(file))
+    print(
+        f"{name}: {summary['status']}, {summary['newton_iterations']} iterations, "
+        f"{summary['cut_backs']} cut-backs, {summary['wall_seconds']:.1f} s",
+        flush=True,
+    )
+    return summary, rows
+
+
+def curve(rows, sample):
+    """Times on the grid and the force on the dummy there, upward."""
+    time = np.array([float(row["time"]) for row in rows])
+    force = -np.array([float(row["dummy:force_z"]) for row in rows])
+    on_grid = np.abs(time / sample - np.round(time / sample)) < 1e-6
+    return time[on_grid], force[on_grid]
+
+
+def roughness(time, force):
+    """The three measures of the text above."""
+    touching = force > 0.05 * force.max()
+    first = int(np.argmax(touching))
+    t, f = time[first:], force[first:]
+    mean = f.mean()
+    jumps = np.abs(np.diff(f)) > 0.1 * mean
+    rest = []
+    for i in range(len(f) - WINDOW + 1):
+        # the corner of the path at time 1 is no roughness
+        if jumps[i : i + WINDOW - 1].any() or t[i] < 1.0 - 1e-9 < t[i + WINDOW - 1] - 1e-9:
+            continue
+        x = np.arange(WINDOW) - WINDOW // 2
+        rest.append(f[i : i + WINDOW] - np.polyval(np.polyfit(x, f[i : i + WINDOW], 2), x))
+    second = [
+        abs(f[i + 1] - 2 * f[i] + f[i - 1])
+        for i in range(1, len(f) - 1)
+        if not jumps[i - 1 : i + 1].any() and abs(t[i] - 1.0) > 1e-9
+    ]
+    pressed = f[t <= 1.0 + 1e-9]
+    return {
+        "ripple": np.sqrt(np.mean(np.square(rest))) / mean if rest else float("nan"),
+        "kink": max(second) / mean if second else float("nan"),
+        "excess": np.abs(np.diff(pressed)).sum() / np.ptp(pressed) - 1.0,
+        "jumps": int(jumps.sum()),
+    }
+
+
+def error(curve_of_run, reference):
+    """rms and largest distance from the reference, over its mean force."""
+    t, f = curve_of_run
+    t, f = t[t <= reference[0][-1] + 1e-9], f[t <= reference[0][-1] + 1e-9]
+    other = np.interp(t, *reference)
+    mean = reference[1][reference[1] > 0.0].mean()
+    return np.sqrt(np.mean((f - other) ** 2)) / mean, np.abs(f - other).max() / mean
+
+
+def main():
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("--file", default=os.path.join(ROOT, "prm/dummy_on_hood.prm"))
+    parser.add_argument("--build", default=os.path.join(ROOT, "build"))
+    parser.add_argument("--output", default=os.path.join(ROOT, "output/hood_methods"))
+    parser.add_argument("--repeat", type=int, default=1)
+    parser.add_argument("--ranks", type=int, default=2)
+    parser.add_argument("--sample", type=float, default=0.04, help="time between samples")
+    parser.add_argument("--reference", action="store_true")
+    parser.add_argument("--tight", action="store_true")
+    parser.add_argument("--set", action="append", default=[])
+    arguments = parser.parse_args()
+    os.makedirs(arguments.output, exist_ok=True)
+
+    results, seconds = {}, {name: [] for name in METHODS}
+    for _ in range(arguments.repeat):
+        for name, settings in METHODS.items():
+            results[name] = run(name, settings, arguments)
+            seconds[name].append(results[name][0]["wall_seconds"])
+    reference = tight = None
+    if arguments.reference:
+        reference = curve(run("reference", FINE, arguments)[1], arguments.sample)
+    if arguments.tight:
+        tight = {
+            name: curve(run(f"{name} tight", settings + TIGHT, arguments)[1], arguments.sample)
+            for name, settings in METHODS.items()
+        }
+
+    base = np.median(seconds["segments"])
+    lines = [
+        "| method | finished | iterations | per step | cut-backs | time | ripple % | kink % "
+        "| excess % | jumps | error rms % | error max % | tolerance 1/100 % | penetration % |",
+        "|" + "---|" * 14,
+    ]
+    figure, axis = plt.subplots(figsize=(9, 5))
+    if reference is not None:
+        axis.plot(*reference, "k", linewidth=2.5, alpha=0.4, label="reference")
+    for name in METHODS:
+        summary, rows = results[name]
+        t, f = curve(rows, arguments.sample)
+        axis.plot(t, f, ".-", linewidth=1, markersize=3, label=name)
+        finished = summary["status"] == "finished"
+        r = roughness(t, f)
+        steps = max(1, summary["steps"])
+        against = ("", "")
+        if reference is not None:
+            against = tuple(f"{100 * e:.2f}" for e in error((t, f), reference))
+        change = f"{100 * error((t, f), tight[name])[0]:.4f}" if tight else ""
+        deepest = max(float(row["dummy:penetration_over_release"]) for row in rows)
+        lines.append(
+            f"| {name} | {'yes' if finished else 'to ' + str(round(t[-1], 3))} "
+            f"| {summary['newton_iterations']} | {summary['newton_iterations'] / steps:.1f} "
+            f"| {summary['cut_backs']} | {np.median(seconds[name]) / base:.2f} "
+            f"| {100 * r['ripple']:.3f} | {100 * r['kink']:.2f} | {100 * r['excess']:.2f} "
+            f"| {r['jumps']} | {against[0]} | {against[1]} | {change} | {100 * deepest:.1f} |"
+        )
+    lines += [
+        "",
+        f"Time: median of {arguments.repeat} over that of segments, {base:.1f} s on "
+        f"{arguments.ranks} ranks. {' '.join(arguments.set)}",
+    ]
+    axis.set_xlabel("time: pressed until 1, then slid")
+    axis.set_ylabel("force on the dummy [N]")
+    axis.legend()
+    figure.tight_layout()
+    figure.savefig(os.path.join(arguments.output, "forces.png"), dpi=110)
+    text = "\n".join(lines) + "\n"
+    with open(os.path.join(arguments.output, "table.md"), "w") as file:
+        file.write(text)
+    print(text)
+
+
+if __name__ == "__main__":
+    main()

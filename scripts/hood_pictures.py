@@ -1,0 +1,125 @@
+#!/usr/bin/python3
+"""Pictures of a finished run of dummy_on_hood, from the run's own files.
+
+Usage: scripts/hood_pictures.py FOLDER
+
+Writes FOLDER/hood.png (panel with its displacement across, frame, dummy, at the end
+of pressing and at the end) and FOLDER/force.png (force on the dummy over time).
+"""
+import csv
+import os
+import sys
+import xml.etree.ElementTree as xml
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+import vtk
+from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+from vtk.util.numpy_support import vtk_to_numpy
+
+
+def files_at(folder, collection, time):
+    """Files of the time nearest to the one given, by the name of the part."""
+    entries = list(xml.parse(os.path.join(folder, collection)).iter("DataSet"))
+    times = {float(e.get("timestep")) for e in entries}
+    nearest = min(times, key=lambda t: abs(t - time))
+    return nearest, {
+        e.get("file"): os.path.join(folder, e.get("file"))
+        for e in entries
+        if float(e.get("timestep")) == nearest
+    }
+
+
+def polygons_of(file, moved):
+    """Corners of all cells, in place, and the vertical displacement of each cell."""
+    reader = vtk.vtkXMLUnstructuredGridReader()
+    reader.SetFileName(file)
+    reader.Update()
+    surface = vtk.vtkDataSetSurfaceFilter()
+    surface.SetInputData(reader.GetOutput())
+    surface.Update()
+    mesh = surface.GetOutput()
+    points = vtk_to_numpy(mesh.GetPoints().GetData()).copy()
+    lift = np.zeros(len(points))
+    if moved:
+        u = vtk_to_numpy(mesh.GetPointData().GetArray("displacement"))
+        points += u
+        lift = u[:, 2]
+    polygons, values, sides = [], [], []
+    side = mesh.GetPointData().GetArray("side")
+    for c in range(mesh.GetNumberOfCells()):
+        ids = mesh.GetCell(c).GetPointIds()
+        ids = [ids.GetId(k) for k in range(ids.GetNumberOfIds())]
+        polygons.append(points[ids])
+        values.append(lift[ids].mean())
+        sides.append(side.GetTuple1(ids[0]) if side else 0.0)
+    return polygons, np.array(values), np.array(sides)
+
+
+def draw(axis, folder, time):
+    now, solution = files_at(folder, "solution.pvd", time)
+    polygons, colors, points = [], [], []
+    norm = plt.Normalize(-20.0, 2.0)
+    for name, file in solution.items():
+        p, lift, _ = polygons_of(file, True)
+        if "frame" in name:
+            colors += [(0.6, 0.6, 0.65, 1.0)] * len(p)
+        elif "panel" in name:
+            points = np.concatenate(p)
+            norm = plt.Normalize(lift.min(), max(lift.max(), 1e-9))
+            colors += list(plt.cm.viridis(norm(lift)))
+        else:
+            colors += [(0.85, 0.55, 0.4, 1.0)] * len(p)
+        polygons += p
+    for name, file in files_at(folder, "contact.pvd", time)[1].items():
+        if name.startswith("contact-dummy"):
+            p, _, side = polygons_of(file, False)
+            # the rigid dummy is the primary side; draw its lower part only
+            keep = [q for q, s in zip(p, side) if s > 0.5]
+            polygons += keep
+            colors += [(0.85, 0.55, 0.4, 0.55)] * len(keep)
+    axis.add_collection3d(
+        Poly3DCollection(polygons, facecolors=colors, edgecolors=(0, 0, 0, 0.25), linewidths=0.15)
+    )
+    low, high = points.min(axis=0), points.max(axis=0)
+    high[2] += 200.0
+    axis.set_xlim(low[0], high[0])
+    axis.set_ylim(low[1], high[1])
+    axis.set_zlim(low[2], high[2])
+    axis.set_box_aspect(high - low)
+    axis.view_init(elev=28, azim=-125)
+    axis.set_axis_off()
+    axis.set_title(f"time {now:.2f}")
+    return plt.cm.ScalarMappable(norm=norm, cmap="viridis")
+
+
+def main():
+    if len(sys.argv) != 2 or not os.path.exists(os.path.join(sys.argv[1], "solution.pvd")):
+        sys.exit(__doc__)
+    folder = sys.argv[1]
+    figure = plt.figure(figsize=(13, 5))
+    for i, time in enumerate((1.0, 2.0)):
+        axis = figure.add_subplot(1, 2, i + 1, projection="3d")
+        figure.colorbar(draw(axis, folder, time), ax=axis, shrink=0.6, label="panel, up")
+    figure.tight_layout()
+    figure.savefig(os.path.join(folder, "hood.png"), dpi=120)
+
+    with open(os.path.join(folder, "history.csv"), newline="") as file:
+        rows = list(csv.DictReader(file))
+    time = [float(row["time"]) for row in rows]
+    figure, axis = plt.subplots(figsize=(7, 4))
+    for c, name in zip("xyz", ("along the car", "across", "up")):
+        axis.plot(time, [-float(row["dummy:force_" + c]) for row in rows], ".-", label=name)
+    axis.set_xlabel("time: pressed until 1, then slid")
+    axis.set_ylabel("force on the dummy")
+    axis.legend()
+    figure.tight_layout()
+    figure.savefig(os.path.join(folder, "force.png"), dpi=120)
+    print(f"Pictures: {folder}/hood.png, force.png")
+
+
+if __name__ == "__main__":
+    main()
