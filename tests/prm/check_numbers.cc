@@ -8,6 +8,8 @@
 //     "history COLUMN TIME value tolerance  # source": from history.csv,
 //     linear between steps;
 //     "mean COLUMN FROM TO value tolerance  # source": of the steps between;
+//     "balance tolerance POINTER POINTER ...  # reason": the sum over the
+//     largest;
 //     "ripple COLUMN FROM TO limit  # reason": largest less smallest deviation
 //     from the best parabola between two times, over the mean
 //   check_numbers RUN/summary.json OTHER/summary.json TOLERANCE [any-steps]
@@ -15,6 +17,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iostream>
@@ -226,6 +229,22 @@ main(int argc, char **argv)
                          value,
                          tolerance * (value == 0. ? 1. : std::abs(value))) &&
                    ok;
+              continue;
+            }
+          if (pointer == "balance")
+            {
+              double      sum = 0., largest = 0.;
+              std::string term;
+              in >> tolerance;
+              while (in >> term && term[0] != '#')
+                {
+                  const double force =
+                    summary.at(nlohmann::json::json_pointer("/" + term))
+                      .get<double>();
+                  sum += force;
+                  largest = std::max(largest, std::abs(force));
+                }
+              ok = close("balance", sum / largest, 0., tolerance) && ok;
               continue;
             }
           if (pointer == "history" || pointer == "ripple")
