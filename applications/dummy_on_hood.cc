@@ -104,7 +104,7 @@ namespace
                       not_negative,
                       "Between dummy and hood at the start [length].");
     prm.declare_entry("Press",
-                      "4",
+                      "3",
                       not_negative,
                       "Down from where it touches, until time 1 [length].");
     prm.declare_entry("Slide",
@@ -126,13 +126,15 @@ namespace
     prm.leave_subsection();
     prm.enter_subsection("Steps");
     prm.set("End time", 2.);
-    prm.set("First step", 0.04);
+    prm.set("First step", 0.05);
     prm.set("Cut back", 0.3);
     prm.leave_subsection();
     prm.enter_subsection("Solver");
     prm.enter_subsection("Newton");
     prm.set("Predictor", "linear");
     prm.set("Maximum iterations", "12");
+    // the force tolerance decides
+    prm.set("Displacement tolerance", 1e-4);
     prm.leave_subsection();
     prm.leave_subsection();
   }

@@ -134,7 +134,7 @@ def main():
     parser.add_argument("--output", default=os.path.join(ROOT, "output/hood_methods"))
     parser.add_argument("--repeat", type=int, default=1)
     parser.add_argument("--ranks", type=int, default=2)
-    parser.add_argument("--sample", type=float, default=0.04, help="time between samples")
+    parser.add_argument("--sample", type=float, default=0.05, help="time between samples")
     parser.add_argument("--reference", action="store_true")
     parser.add_argument("--tight", action="store_true")
     parser.add_argument("--set", action="append", default=[])

@@ -3,7 +3,7 @@
 
 Usage: scripts/hood_pictures.py FOLDER
 
-Writes FOLDER/hood.png (panel with its displacement across, frame, dummy, at the end
+Writes FOLDER/hood.png (panel with its displacement upward and dummy, at the end
 of pressing and at the end) and FOLDER/force.png (force on the dummy over time).
 """
 import csv
@@ -66,8 +66,8 @@ def draw(axis, folder, time):
     for name, file in solution.items():
         p, lift, _ = polygons_of(file, True)
         if "frame" in name:
-            colors += [(0.6, 0.6, 0.65, 1.0)] * len(p)
-        elif "panel" in name:
+            continue  # hidden below the panel; drawing by depth mixes them
+        if "panel" in name:
             points = np.concatenate(p)
             norm = plt.Normalize(lift.min(), max(lift.max(), 1e-9))
             colors += list(plt.cm.viridis(norm(lift)))

@@ -109,7 +109,7 @@ namespace Structure
                       positive,
                       "Of the inner sheet [length].");
     prm.declare_entry("Panel cells",
-                      "30, 36",
+                      "24, 30",
                       two,
                       "Of the outer sheet along x and y [-].");
     prm.declare_entry("Frame cells",
