@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Structure
 {
@@ -20,12 +21,12 @@ namespace Structure
     /// happens in the step, and updates are round-off.
     constexpr double still = 1e-3;
 
-    /// Updates below this are round-off: no better solution can be written
-    /// down. Then the residual's floor is reached too, if it is at least below
     /// Shells: work of an update over the largest of the step below which only
     /// round-off of their stiff directions is left (with residual_round_off).
     constexpr double work_round_off = 1e-16;
 
+    /// Updates below this are round-off: no better solution can be written
+    /// down. Then the residual's floor is reached too, if it is at least below
     /// the second number.
     constexpr double update_round_off   = 1e-11;
     constexpr double residual_round_off = 1e-6;
@@ -33,6 +34,11 @@ namespace Structure
     /// So it is where forces are below this times (stiffness x area of the
     /// scene): stresses of bodies that move without strain.
     constexpr double stress_round_off = 1e-13;
+
+    /// Forces below this times (stiffness x area of the scene) are round-off,
+    /// where they have stopped falling: those of ties and of stiff bodies that
+    /// only begin to be touched by something soft.
+    constexpr double force_round_off = 2.2e-16, stagnating = 0.5;
 
     /// A residual this much below the tolerance needs no second witness.
     constexpr double surely_converged = 1e-3;
@@ -112,6 +118,7 @@ namespace Structure
         return b->uses_iterates();
       });
     double work = 0., largest_work = 0.; ///< Of the updates.
+    double last_residual = std::numeric_limits<double>::max();
 
     NewtonIterate iterate;
     iterate.update = std::numeric_limits<double>::max();
@@ -141,6 +148,9 @@ namespace Structure
                surely_converged * parameters.force_tolerance ||
              (has_shells && iterate.residual <= residual_round_off &&
               work <= work_round_off * largest_work) ||
+             (n.residual <= force_round_off / force_floor * floor &&
+              n.residual >= stagnating * last_residual &&
+              iterate.update <= parameters.displacement_tolerance) ||
              (iterate.update <= update_round_off &&
               (iterate.residual <= residual_round_off ||
                n.residual <= stress_round_off / force_floor * floor))))
@@ -176,11 +186,12 @@ namespace Structure
             std::min(iterate.step, interface->largest_safe_step(u, du));
 
         // Step 3: go there; shorten while it does not help.
-        const double work_before       = du * model.rhs;
-        work                           = std::abs(work_before);
-        largest_work                   = std::max(largest_work, work);
-        const double   residual_before = n.residual;
-        const Vector_t u_before        = u;
+        const double work_before     = du * model.rhs;
+        work                         = std::abs(work_before);
+        largest_work                 = std::max(largest_work, work);
+        const double residual_before = n.residual;
+        last_residual                = n.residual;
+        const Vector_t u_before      = u;
         const bool     search =
           parameters.line_search != "none" && at_target && !has_shells;
         for (unsigned int trial = 0;; ++trial)
