@@ -3,7 +3,6 @@
 #define mortar_contact_structure_shell_law_h
 
 #include <array>
-#include <memory>
 
 namespace Structure
 {
@@ -53,13 +52,6 @@ namespace Structure
   {
     PlaneVector strain     = {{0., 0., 0.}}; ///< Plastic part, 11, 22, 12.
     double      equivalent = 0.;             ///< Equivalent plastic strain.
-
-    template <class Archive>
-    void
-    serialize(Archive &archive, const unsigned int)
-    {
-      archive &strain[0] & strain[1] & strain[2] & equivalent;
-    }
   };
 
   /// Second Piola-Kirchhoff stress over Green-Lagrange strain at a point.
