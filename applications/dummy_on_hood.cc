@@ -21,8 +21,8 @@ namespace
 {
   using namespace Structure;
 
-  /// Of the stops below the front corners [length].
-  constexpr double stop_radius = 20., stop_clearance = 1.;
+  /// Of the stops below the front corners, over the hood's length.
+  constexpr double stop_radius = 1. / 60., stop_clearance = 1. / 1200.;
 
   void
   declare(ParameterHandler &prm)
@@ -47,7 +47,7 @@ namespace
                       "true",
                       Patterns::Bool(),
                       "Two rigid cylinders below the frame's front corners, "
-                      "1 below it.");
+                      "1/1200 of the length away from it.");
     prm.leave_subsection();
     prm.enter_subsection("Glue");
     MortarContact::ContactParameters::declare(prm);
@@ -357,8 +357,8 @@ namespace
         RigidParameters stop;
         stop.name   = sign < 0. ? "left stop" : "right stop";
         stop.type   = "cylinder";
-        stop.radius = stop_radius;
-        stop.length = 2. * stop_radius;
+        stop.radius = stop_radius * hood->length;
+        stop.length = 2. * stop.radius;
         // its top along the frame
         const double h = 1e-3 * hood->length;
         Tensor<1, 3> top, up;
@@ -370,7 +370,7 @@ namespace
         up[2]  = 1.;
         up /= up.norm();
         top -= (0.5 * hood->panel_thickness + hood->frame_thickness +
-                stop_clearance + 0.5 * stop.length) *
+                stop_clearance * hood->length + 0.5 * stop.length) *
                up;
         stop.axis     = {up[0], up[1], up[2]};
         stop.position = {top[0], top[1], top[2]};
