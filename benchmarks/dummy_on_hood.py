@@ -7,8 +7,8 @@ Usage: benchmarks/dummy_on_hood.py [--file FILE.prm] [--repeat N] [--ranks N]
 Runs the same scene, with the same solver and tolerances, by
   segments   mortar contact over the overlaps of facets,
   points     mortar contact at fixed points of the secondary's facets,
-  nodes      node-to-segment contact,
-  smoothed   the same with stiffness smoothing,
+  nodes      node-to-segment contact with the linear law,
+  smoothed   the same with the smoothed stiffness of the mortar contact's law,
 in turn, N times each, and writes DIR/table.md and DIR/forces.png from the runs'
 own files. --reference adds a run with a finer panel and dummy and tolerances
 a hundred times tighter, --tight one such run of each method on its own mesh.
@@ -37,8 +37,8 @@ ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 METHODS = {
     "segments": ["Contact/Integration=segments"],
     "points": ["Contact/Integration=points"],
-    "nodes": ["Contact/Integration=nodes"],
-    "smoothed": ["Contact/Integration=nodes", "Contact/Stiffness smoothing=0.5"],
+    "nodes": ["Contact/Integration=nodes", "Contact/Law=linear"],
+    "smoothed": ["Contact/Integration=nodes"],
 }
 TIGHT = [
     "Solver/Newton/Force tolerance=1e-10",

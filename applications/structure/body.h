@@ -2,6 +2,7 @@
 #ifndef mortar_contact_structure_body_h
 #define mortar_contact_structure_body_h
 
+#include "cell_batches.h"
 #include "expression.h"
 
 #include <mortar_contact/host/contact_interface.h>
@@ -15,6 +16,7 @@
 #include <array>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -104,9 +106,10 @@ namespace Structure
     virtual std::string
     description() const = 0;
 
-    /// Shear modulus [Pa].
+    /// Shear modulus times a section of a body of that @p size [N]: what
+    /// round-off of stresses is measured by.
     virtual double
-    shear_modulus() const = 0;
+    force_scale(const double size) const = 0;
 
     /// Whether strains are small.
     virtual bool
@@ -154,6 +157,15 @@ namespace Structure
              const bool            with_tangent,
              Vector<double>       &forces,
              FullMatrix<double>   &tangent) = 0;
+
+    /// The cells in a form that takes them several at once; null: there is
+    /// none for this body. For static runs.
+    virtual std::unique_ptr<CellBatches<dim>>
+    make_batches(const IndexSet & /*owned*/,
+                 const IndexSet & /*relevant*/) const
+    {
+      return nullptr;
+    }
 
     /// Accept the last evaluation as the end of a step.
     virtual void

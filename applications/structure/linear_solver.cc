@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "linear_solver.h"
 
+#include "mixed_solver.h"
+
 #include <deal.II/base/patterns.h>
 
 #include <deal.II/lac/solver_cg.h>
@@ -10,6 +12,8 @@
 
 #include <Epetra_MultiVector.h>
 #include <Teuchos_ParameterList.hpp>
+
+#include <algorithm>
 
 namespace Structure
 {
@@ -31,6 +35,12 @@ namespace Structure
                       "1e-10",
                       Patterns::Double(1e-15, 1e-1),
                       "Residual over right-hand side, iterative [-].");
+    prm.declare_entry("Mixed tolerance",
+                      "1e-3",
+                      Patterns::Double(1e-15, 1e-1),
+                      "The same where the pressures of nearly incompressible "
+                      "cells are unknowns; Newton's tolerances decide when a "
+                      "step is solved [-].");
     prm.declare_entry("Maximum iterations",
                       "2000",
                       Patterns::Integer(1),
@@ -41,43 +51,81 @@ namespace Structure
   void
   LinearSolverParameters::read(ParameterHandler &prm)
   {
-    type           = prm.get("Type");
-    direct_limit   = prm.get_integer("Direct up to");
-    tolerance      = prm.get_double("Tolerance");
-    max_iterations = prm.get_integer("Maximum iterations");
+    type            = prm.get("Type");
+    direct_limit    = prm.get_integer("Direct up to");
+    tolerance       = prm.get_double("Tolerance");
+    mixed_tolerance = prm.get_double("Mixed tolerance");
+    max_iterations  = prm.get_integer("Maximum iterations");
+  }
+
+
+  template <int dim>
+  void
+  LinearSolver<dim>::make_multigrid(const Model<dim> &model)
+  {
+    TrilinosWrappers::PreconditionAMG::AdditionalData data;
+    data.elliptic              = true;
+    data.aggregation_threshold = 0.02;
+    data.smoother_sweeps       = 2;
+    Teuchos::ParameterList              list;
+    std::unique_ptr<Epetra_MultiVector> modes;
+    data.set_parameters(list, modes, model.matrix);
+    const auto rigid = model.rigid_body_modes();
+    modes            = std::make_unique<Epetra_MultiVector>(
+      model.matrix.trilinos_matrix().DomainMap(), rigid.size());
+    for (unsigned int m = 0; m < rigid.size(); ++m)
+      for (unsigned int i = 0; i < rigid[m].size(); ++i)
+        (*modes)[m][i] = rigid[m][i];
+    list.set("null space: type", "pre-computed");
+    list.set("null space: dimension", modes->NumVectors());
+    list.set("null space: vectors", modes->Values());
+    multigrid = std::make_unique<TrilinosWrappers::PreconditionAMG>();
+    multigrid->initialize(model.matrix, list);
+    multigrid_pattern    = model.n_patterns;
+    multigrid_iterations = 0;
   }
 
 
   template <int dim>
   LinearSolve
-  LinearSolver<dim>::solve(const Model<dim> &model, Vector_t &x)
+  LinearSolver<dim>::solve(Model<dim> &model, Vector_t &x)
   {
     LinearSolve result;
-    const bool  iterative =
-      parameters.type == "iterative" ||
-      (parameters.type == "automatic" &&
-       model.n_dofs() > parameters.direct_limit * (dim == 2 ? 10. : 1.));
+    if (model.pressures.are_on)
+      {
+        result.method = "FGMRES";
+        // an old hierarchy serves until it costs more than a new one
+        if (!multigrid || multigrid_pattern != model.n_patterns)
+          make_multigrid(model);
+        for (bool again = true; again;)
+          {
+            const bool         is_new = multigrid_iterations == 0;
+            const unsigned int most   = is_new ?
+                                          parameters.max_iterations :
+                                          std::min(parameters.max_iterations,
+                                                 2 * multigrid_iterations + 10);
+            const MixedSolve   solved = solve_mixed(model.matrix,
+                                                  *multigrid,
+                                                  model.rhs,
+                                                  model.pressures,
+                                                  x,
+                                                  parameters.mixed_tolerance,
+                                                  most);
+            result.iterations += solved.iterations;
+            result.converged = solved.converged;
+            again            = !solved.converged && !is_new;
+            if (is_new)
+              multigrid_iterations = std::max(1u, solved.iterations);
+            else if (again)
+              make_multigrid(model);
+          }
+        return result;
+      }
+    const bool iterative = parameters.is_iterative(dim, model.n_dofs());
     if (iterative)
       {
-        TrilinosWrappers::PreconditionAMG                 amg;
-        TrilinosWrappers::PreconditionAMG::AdditionalData data;
-        data.elliptic              = true;
-        data.aggregation_threshold = 0.02;
-        data.smoother_sweeps       = 2;
-        Teuchos::ParameterList              list;
-        std::unique_ptr<Epetra_MultiVector> modes;
-        data.set_parameters(list, modes, model.matrix);
-        const auto rigid = model.rigid_body_modes();
-        modes            = std::make_unique<Epetra_MultiVector>(
-          model.matrix.trilinos_matrix().DomainMap(), rigid.size());
-        for (unsigned int m = 0; m < rigid.size(); ++m)
-          for (unsigned int i = 0; i < rigid[m].size(); ++i)
-            (*modes)[m][i] = rigid[m][i];
-        list.set("null space: type", "pre-computed");
-        list.set("null space: dimension", modes->NumVectors());
-        list.set("null space: vectors", modes->Values());
-        amg.initialize(model.matrix, list);
-
+        make_multigrid(model);
+        const auto   &amg = *multigrid;
         SolverControl control(parameters.max_iterations,
                               parameters.tolerance * model.rhs.l2_norm());
         result.method = model.is_symmetric ? "CG" : "GMRES";

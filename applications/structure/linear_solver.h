@@ -7,6 +7,9 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <deal.II/lac/trilinos_precondition.h>
+
+#include <memory>
 #include <string>
 
 namespace Structure
@@ -20,10 +23,20 @@ namespace Structure
     void
     read(ParameterHandler &prm);
 
-    std::string  type           = "automatic";
-    unsigned int direct_limit   = 60000; ///< dofs, for automatic in 3d
-    double       tolerance      = 1e-10; ///< Relative residual.
-    unsigned int max_iterations = 2000;
+    std::string  type            = "automatic";
+    unsigned int direct_limit    = 60000; ///< dofs, for automatic in 3d
+    double       tolerance       = 1e-10; ///< Relative residual.
+    double       mixed_tolerance = 1e-3;  ///< With pressures as unknowns.
+    unsigned int max_iterations  = 2000;
+
+    /// Whether a model of that many dofs is solved iteratively.
+    bool
+    is_iterative(const unsigned int dim, const double n_dofs) const
+    {
+      return type == "iterative" ||
+             (type == "automatic" &&
+              n_dofs > direct_limit * (dim == 2 ? 10. : 1.));
+    }
   };
 
   /// What a solve took.
@@ -50,11 +63,19 @@ namespace Structure
     {}
 
     LinearSolve
-    solve(const Model<dim> &model, Vector_t &x);
+    solve(Model<dim> &model, Vector_t &x);
 
   private:
+    /// Multigrid for the matrix of the model.
+    void
+    make_multigrid(const Model<dim> &model);
+
     const LinearSolverParameters parameters;
     DirectSolver                 direct;
+
+    std::unique_ptr<TrilinosWrappers::PreconditionAMG> multigrid;
+    unsigned int multigrid_pattern = 0; ///< Model::n_patterns it was made for.
+    unsigned int multigrid_iterations = 0; ///< Of its first solve; 0: none yet.
   };
 } // namespace Structure
 

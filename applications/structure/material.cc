@@ -327,14 +327,21 @@ namespace Structure
     else if (law == "St Venant-Kirchhoff")
       material = std::make_unique<StVenantKirchhoff>();
     else if (law == "neo-Hookean" || law == "automatic")
-      material = std::make_unique<NeoHookean>();
+      {
+        material                 = std::make_unique<NeoHookean>();
+        material->is_neo_hookean = true;
+      }
     else if (C10 > 0.)
       {
-        mu       = 2. * (C10 + C01);
-        material = std::make_unique<MooneyRivlin>(C10, C01);
+        mu                       = 2. * (C10 + C01);
+        material                 = std::make_unique<MooneyRivlin>(C10, C01);
+        material->is_neo_hookean = C01 == 0.;
       }
     else
-      material = std::make_unique<MooneyRivlin>(0.5 * mu, 0.);
+      {
+        material                 = std::make_unique<MooneyRivlin>(0.5 * mu, 0.);
+        material->is_neo_hookean = true;
+      }
     material->shear_modulus = mu;
     material->bulk_modulus  = 2. * mu * (1. + nu) / (3. * (1. - 2. * nu));
     material->density       = density;

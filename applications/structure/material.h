@@ -70,6 +70,9 @@ namespace Structure
     /// MortarContact::bulk_contact_modulus() [Pa].
     double contact_modulus = 0.;
     bool   is_linear       = false; ///< Small strains.
+    /// W = mu/2 (I1 - 3 - 2 ln J) + lambda/2 (ln J)^2, or if it is split
+    /// mu/2 (J^(-2/3) I1 - 3) + K/2 (J - 1)^2: see HexKernel.
+    bool is_neo_hookean = false;
   };
 
   /// Settings of a material.

@@ -95,7 +95,7 @@ namespace Structure
 
   template <int dim>
   void
-  Model<dim>::setup()
+  Model<dim>::setup(const bool with_pressures)
   {
     // Step 1: hanging nodes, in the model's numbering. Every rank knows the
     // whole mesh, so it knows all lines.
@@ -125,16 +125,56 @@ namespace Structure
       is_symmetric = is_symmetric && interface->parameters.symmetric_tangent;
 
     // Step 3: vectors, and the size of the scene.
-    rhs                = make_vector();
-    internal           = make_vector();
-    external           = make_vector();
-    contact            = make_vector();
-    inertia            = make_vector();
-    momenta            = make_vector();
-    size               = box_diagonal();
+    rhs      = make_vector();
+    internal = make_vector();
+    external = make_vector();
+    contact  = make_vector();
+    inertia  = make_vector();
+    momenta  = make_vector();
+    size     = box_diagonal();
+    make_batches(with_pressures);
     pattern_is_current = false;
     if (is_dynamic())
       start_motion();
+  }
+
+
+  template <int dim>
+  void
+  Model<dim>::make_batches(const bool with_pressures)
+  {
+    unsigned int n_pressures = 0;
+    batches.clear();
+    first_pressure.clear();
+    for (const auto &b : bodies)
+      {
+        batches.push_back(is_dynamic() ? nullptr :
+                                         b->make_batches(owned, relevant));
+        first_pressure.push_back(n_pressures);
+        if (batches.back())
+          n_pressures += batches.back()->n_pressures();
+      }
+    const auto of_ranks = Utilities::MPI::all_gather(communicator, n_pressures);
+    const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
+    const unsigned int begin =
+      std::accumulate(of_ranks.begin(), of_ranks.begin() + rank, 0u);
+    const unsigned int total =
+      std::accumulate(of_ranks.begin(), of_ranks.end(), 0u);
+    pressures.are_on = with_pressures && total > 0;
+    if (!pressures.are_on)
+      return;
+    pressures.owned.clear();
+    pressures.owned.set_size(total);
+    pressures.owned.add_range(begin, begin + n_pressures);
+    for (Vector_t *v : {&pressures.value,
+                        &pressures.residual,
+                        &pressures.prescribed,
+                        &pressures.compliance,
+                        &pressures.schur,
+                        &pressures.in_matrix,
+                        &pressures.scale,
+                        &pressures.update})
+      v->reinit(pressures.owned, communicator);
   }
 
 
@@ -342,6 +382,23 @@ namespace Structure
     matrix.reinit(owned, owned, dsp, communicator);
     n_nonzero = matrix.n_nonzero_elements();
     ++n_patterns;
+    for (const auto &batch : batches)
+      if (batch)
+        batch->set_matrix(matrix, constraints);
+    if (pressures.are_on)
+      {
+        DynamicSparsityPattern rows(pressures.owned.size(),
+                                    total_dofs,
+                                    pressures.owned);
+        for (unsigned int b = 0; b < bodies.size(); ++b)
+          if (batches[b] && batches[b]->n_pressures() > 0)
+            batches[b]->add_couplings(pressures.owned.nth_index_in_set(
+                                        first_pressure[b]),
+                                      constraints,
+                                      rows);
+        pressures.derivative.clear();
+        pressures.derivative.reinit(pressures.owned, owned, rows, communicator);
+      }
     pattern_is_current = true;
   }
 
@@ -393,7 +450,8 @@ namespace Structure
   Model<dim>::assemble(const Vector_t &u,
                        const double    time,
                        const bool      with_tangent,
-                       const Vector_t *previous)
+                       const Vector_t *previous,
+                       const bool      reset_pressures)
   {
     const Vector_t u_ghosted = ghosted(u);
     const Vector_t previous_ghosted =
@@ -451,6 +509,19 @@ namespace Structure
         {
           Body<dim>         &b = *bodies[i];
           const unsigned int n = b.n_dofs_per_cell();
+          if (batches[i])
+            {
+              failure = batches[i]->assemble(
+                u_ghosted,
+                {constraints, with_tangent ? &matrix : nullptr, rhs, internal},
+                pressures,
+                first_pressure[i],
+                reset_pressures);
+              if (!failure.empty())
+                break;
+              if (loads[i].empty())
+                continue;
+            }
           if (dynamic)
             {
               mass.reinit(n, n);
@@ -473,12 +544,18 @@ namespace Structure
                   at_rest = 0.;
                   b.evaluate(cell, at_rest, nullptr, true, ignored, stiffness);
                 }
-              if (!b.evaluate(cell,
-                              values,
-                              previous ? &before : nullptr,
-                              with_tangent,
-                              forces,
-                              tangent))
+              if (batches[i]) // has them already; loads follow
+                {
+                  forces = 0.;
+                  if (with_tangent)
+                    tangent = 0.;
+                }
+              else if (!b.evaluate(cell,
+                                   values,
+                                   previous ? &before : nullptr,
+                                   with_tangent,
+                                   forces,
+                                   tangent))
                 {
                   failure = b.name_of(cell) + " turned inside out";
                   break;
@@ -580,6 +657,14 @@ namespace Structure
                                        momenta.l2_norm() / integration.dt) :
                                0.;
     norms.residual = rhs.l2_norm();
+    if (pressures.are_on)
+      {
+        if (with_tangent)
+          pressures.derivative.compress(VectorOperation::insert);
+        Vector_t as_forces = pressures.residual;
+        as_forces.scale(pressures.scale);
+        norms.residual = std::hypot(norms.residual, as_forces.l2_norm());
+      }
     norms.internal = internal.l2_norm();
     norms.external = external.l2_norm();
     norms.contact  = contact.l2_norm();

@@ -19,9 +19,6 @@
 
 namespace Structure
 {
-  using Vector_t = TrilinosWrappers::MPI::Vector;
-  using Matrix_t = TrilinosWrappers::SparseMatrix;
-
   /// Norms of the force vectors of the last assembly [N].
   struct ForceNorms
   {
@@ -61,8 +58,10 @@ namespace Structure
     number_dofs();
 
     /// Set up conditions and vectors; after everything else is there.
+    /// @param with_pressures Pressures of nearly incompressible cells may be
+    ///                       unknowns.
     void
-    setup();
+    setup(const bool with_pressures = false);
 
     types::global_dof_index
     n_dofs() const
@@ -84,13 +83,15 @@ namespace Structure
      * Assemble residual (and tangent) at @p u, @p time.
      * @param previous Null, or the Newton iterate before, for shells: see
      *                 ShellElement::evaluate().
+     * @param reset_pressures Pressures that are unknowns first follow from u.
      * @return Why this is impossible (a cell turned inside out), or nothing.
      */
     std::string
     assemble(const Vector_t &u,
              const double    time,
              const bool      with_tangent,
-             const Vector_t *previous = nullptr);
+             const Vector_t *previous        = nullptr,
+             const bool      reset_pressures = false);
 
     /// Accept the state of the last assembly, at @p u, as the end of a step.
     void
@@ -139,6 +140,7 @@ namespace Structure
     const MPI_Comm            communicator;
     TimerOutput              &timer;
     AffineConstraints<double> constraints; ///< For the next update.
+    PressureUnknowns          pressures;
     Matrix_t                  matrix;
     Vector_t                  rhs; ///< Minus the residual, condensed.
     ForceNorms                norms;
@@ -154,6 +156,10 @@ namespace Structure
 
     void
     make_matrix();
+
+    /// Cells in batches, and the pressures.
+    void
+    make_batches(const bool with_pressures);
 
     /// Velocities as the bodies say; accelerations from a lumped mass matrix.
     void
@@ -173,6 +179,9 @@ namespace Structure
     Vector_t                             internal, external, contact, inertia,
       momenta; ///< Mass times velocity.
     bool pattern_is_current = false;
+
+    std::vector<std::unique_ptr<CellBatches<dim>>> batches; ///< By body.
+    std::vector<unsigned int> first_pressure; ///< By body, of this rank's.
 
     std::vector<std::vector<Load<dim>>> loads; ///< By body.
 

@@ -106,11 +106,10 @@ namespace Structure
              const std::function<void(const NewtonIterate &)> &watch)
   {
     NewtonResult result;
-    Vector_t     du      = model.make_vector();
-    double       modulus = 0.;
+    Vector_t     du    = model.make_vector();
+    double       floor = 0.;
     for (const auto &b : model.bodies)
-      modulus = std::max(modulus, b->shear_modulus());
-    const double floor = force_floor * modulus * std::pow(model.size, dim - 1.);
+      floor = std::max(floor, force_floor * b->force_scale(model.size));
     // bending to a large angle first stretches: no line search then, which
     // would allow small steps only
     const bool has_shells =
@@ -122,7 +121,7 @@ namespace Structure
 
     NewtonIterate iterate;
     iterate.update = std::numeric_limits<double>::max();
-    result.failure = model.assemble(u, time, true);
+    result.failure = model.assemble(u, time, true, nullptr, true);
     if (!result.failure.empty())
       return result;
 
@@ -146,7 +145,8 @@ namespace Structure
               iterate.update <= parameters.displacement_tolerance) ||
              iterate.residual <=
                surely_converged * parameters.force_tolerance ||
-             (has_shells && iterate.residual <= residual_round_off &&
+             (has_shells && result.iterations > 0 &&
+              iterate.residual <= residual_round_off &&
               work <= work_round_off * largest_work) ||
              (n.residual <= force_round_off / force_floor * floor &&
               n.residual >= stagnating * last_residual &&
@@ -175,8 +175,11 @@ namespace Structure
         result.linear_iterations += iterate.linear.iterations;
         if (!iterate.linear.converged)
           {
-            result.failure = "the tangent matrix is singular (a body that "
-                             "nothing holds?)";
+            result.failure =
+              iterate.linear.iterations == 0 ?
+                "the tangent matrix is singular (a body that nothing holds?)" :
+                "the linear solver did not converge in " +
+                  std::to_string(iterate.linear.iterations) + " iterations";
             return result;
           }
         model.constraints.distribute(du);
@@ -192,12 +195,19 @@ namespace Structure
         const double residual_before = n.residual;
         last_residual                = n.residual;
         const Vector_t u_before      = u;
-        const bool     search =
-          parameters.line_search != "none" && at_target && !has_shells;
+        const Vector_t p_before      = model.pressures.value;
+        // nor with pressures as unknowns: a saddle point has no descent
+        const bool search = parameters.line_search != "none" && at_target &&
+                            !has_shells && !model.pressures.are_on;
         for (unsigned int trial = 0;; ++trial)
           {
             u = u_before;
             u.add(iterate.step, du);
+            if (model.pressures.are_on)
+              {
+                model.pressures.value = p_before;
+                model.pressures.value.add(iterate.step, model.pressures.update);
+              }
             result.failure =
               model.assemble(u, time, true, mixed_points ? &u_before : nullptr);
             const bool better = model.norms.residual < residual_before;

@@ -122,10 +122,11 @@ namespace Structure
 
 
   double
-  ShellBody::shear_modulus() const
+  ShellBody::force_scale(const double size) const
   {
     return parameters.section.youngs_modulus /
-           (2. * (1. + parameters.section.poissons_ratio));
+           (2. * (1. + parameters.section.poissons_ratio)) *
+           parameters.section.thickness * size;
   }
 
 

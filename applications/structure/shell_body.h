@@ -44,7 +44,7 @@ namespace Structure
     description() const override;
 
     double
-    shear_modulus() const override;
+    force_scale(const double size) const override;
 
     bool
     is_linear() const override

@@ -290,7 +290,7 @@ namespace Structure
         interface->setup();
         model.interfaces.push_back(std::move(interface));
       }
-    model.setup();
+    model.setup(scene.linear.is_iterative(dim, model.n_dofs()));
     u = model.make_vector();
     if (scene.newton.predicts)
       rate = model.make_vector();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "solid_body.h"
 
+#include "hex_cells.h"
+
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/quadrature_lib.h>
 
@@ -109,6 +111,20 @@ namespace Structure
   {
     return element->evaluate(
       local_cells[cell], u, with_tangent, forces, tangent);
+  }
+
+
+  template <int dim>
+  std::unique_ptr<CellBatches<dim>>
+  SolidBody<dim>::make_batches(const IndexSet &owned,
+                               const IndexSet &relevant) const
+  {
+    if constexpr (dim == 3)
+      if (HexCells::fit(*this))
+        return std::make_unique<HexCells>(*this, owned, relevant);
+    (void)owned;
+    (void)relevant;
+    return nullptr;
   }
 
 

@@ -10,6 +10,7 @@
 
 #include <deal.II/fe/mapping.h>
 
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -50,9 +51,9 @@ namespace Structure
     }
 
     double
-    shear_modulus() const override
+    force_scale(const double size) const override
     {
-      return material->shear_modulus;
+      return material->shear_modulus * std::pow(size, dim - 1.);
     }
 
     bool
@@ -68,6 +69,10 @@ namespace Structure
              const bool            with_tangent,
              Vector<double>       &forces,
              FullMatrix<double>   &tangent) override;
+
+    std::unique_ptr<CellBatches<dim>>
+    make_batches(const IndexSet &owned,
+                 const IndexSet &relevant) const override;
 
     double
     energy(const unsigned int cell, const Vector<double> &u) override;
@@ -122,6 +127,13 @@ namespace Structure
     centre_of(const unsigned int cell) const
     {
       return local_cells[cell]->center();
+    }
+
+    /// Undeformed vertex of a local cell.
+    Point<dim>
+    vertex_of(const unsigned int cell, const unsigned int vertex) const
+    {
+      return local_cells[cell]->vertex(vertex);
     }
 
     const std::unique_ptr<Material>      material;

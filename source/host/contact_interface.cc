@@ -339,7 +339,6 @@ namespace MortarContact
     options.integration    = parameters.integration;
     options.stiffness_side = parameters.side();
     options.symmetrise     = parameters.symmetric_tangent;
-    options.smoothing      = parameters.smoothing;
     options.elastic_slip   = parameters.friction.elastic_slip;
     options.tangential_scale =
       parameters.stiffness_scale * parameters.penalty_factor;

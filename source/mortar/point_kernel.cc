@@ -140,10 +140,7 @@ namespace MortarContact
       }
     block.smallest_gap = std::min(block.smallest_gap, -d);
     block.overlap      = std::max(block.overlap, k.overlap);
-    const bool acts    = d + k.augmentation > 0.;
-    // stiffness without force, shortly before touch
-    const double smooth = options.smoothing * stiffness.length;
-    if (!acts && !(with_tangent && smooth > 0. && d > -smooth))
+    if (!(d + k.augmentation > 0.))
       return;
 
     const NormalResponse &r       = k.r;
@@ -151,13 +148,10 @@ namespace MortarContact
     const double          W_sigma = W * sigma;
 
     ++block.n_active;
-    if (acts)
-      {
-        block.active_area += W;
-        block.penetration_volume += W * std::max(d, 0.);
-        block.energy += W * r.energy;
-        block.pressure = std::max(block.pressure, sigma);
-      }
+    block.active_area += W;
+    block.penetration_volume += W * std::max(d, 0.);
+    block.energy += W * r.energy;
+    block.pressure = std::max(block.pressure, sigma);
     if (d > block.penetration)
       {
         block.penetration      = d;
@@ -219,12 +213,7 @@ namespace MortarContact
         }
 
     // Step 4: the change of the pressure.
-    double dsigma_dd = k.facing * r.stiffness;
-    if (smooth > 0. && std::abs(d) < smooth)
-      dsigma_dd = std::max(dsigma_dd,
-                           options.tangential_scale * stiffness.modulus /
-                             stiffness.length * (d + smooth) / (2. * smooth));
-    k.dsigma = scaled(dsigma_dd, k.ddepth);
+    k.dsigma = scaled(k.facing * r.stiffness, k.ddepth);
 
     // p = K phi(d/l): dp/dK = p/K, dp/dl = -(d/l) dp/dd
     const bool   series = options.stiffness_side == StiffnessSide::series;

@@ -11,6 +11,10 @@ namespace MortarContact
     /// their crossing is then taken to move with the first line.
     constexpr double parallel = 1e-9;
 
+    /// A corner of the overlap is a thin tip where the sine of its outer angle
+    /// is below this.
+    constexpr double thin_tip = 0.05;
+
     template <std::size_t n>
     void
     add(const double                 factor,
@@ -98,27 +102,38 @@ namespace MortarContact
             centroid += a / 3. * (y[0] + y[1] + y[2]);
           }
         centroid /= sum;
+
+        // Thin tips first, no two beside each other; then around the centroid
+        // what they leave.
+        n_triangles          = 0;
+        const unsigned int n = overlap.n_vertices;
+        std::array<unsigned int, max_overlap_vertices<dim>> rest;
+        unsigned int                                        n_rest = 0;
+        bool first_is_tip = false, last_was_tip = false;
+        for (unsigned int k = 0; k < n; ++k)
+          {
+            const unsigned int  before = (k + n - 1) % n, after = (k + 1) % n;
+            const Tensor<1, 2> &y        = overlap.vertices[k].y;
+            const Tensor<1, 2>  e        = y - overlap.vertices[before].y;
+            const Tensor<1, 2>  f        = overlap.vertices[after].y - y;
+            const double        turn     = e[0] * f[1] - e[1] * f[0];
+            const bool          has_room = !last_was_tip &&
+                                  !(after == 0 && first_is_tip) &&
+                                  n - n_triangles > 3;
+            last_was_tip = has_room && turn * turn < thin_tip * thin_tip *
+                                                       e.norm_square() *
+                                                       f.norm_square();
+            if (k == 0)
+              first_is_tip = last_was_tip;
+            if (last_was_tip)
+              triangles[n_triangles++] = {{before, k, after}};
+            else
+              rest[n_rest++] = k;
+          }
+        for (unsigned int k = 0; k < n_rest; ++k)
+          triangles[n_triangles++] = {
+            {max_corners - 1, rest[k], rest[(k + 1) % n_rest]}};
       }
-  }
-
-
-  template <int dim>
-  unsigned int
-  MortarSegments<dim>::n_simplices() const
-  {
-    return (dim == 2) ? 1 : overlap.n_vertices;
-  }
-
-
-  template <int dim>
-  unsigned int
-  MortarSegments<dim>::corner_index(const unsigned int s,
-                                    const unsigned int k) const
-  {
-    if constexpr (dim == 2)
-      return k;
-    else
-      return (k == 0) ? max_corners - 1 : (s + k - 1) % overlap.n_vertices;
   }
 
 

@@ -198,13 +198,6 @@ namespace MortarContact
                       Patterns::Selection("check|turn"),
                       "Forming contact: facets of a rigid tool that point away "
                       "from the blank are an error, or are turned.");
-    prm.declare_entry(
-      "Stiffness smoothing",
-      "0.0",
-      Patterns::Double(0., 0.5),
-      "Share of the characteristic length before touch at which "
-      "the tangent, not the force, starts [-]; 0: consistent. "
-      "For comparisons with node-to-segment contact.");
     prm.declare_entry("Penetration report every",
                       "1",
                       Patterns::Integer(0),
@@ -254,7 +247,6 @@ namespace MortarContact
     augmentation.most      = prm.get_integer("Largest number of augmentations");
     tool_normals    = (prm.get("Tool normals") == "turn") ? ToolNormals::turn :
                                                             ToolNormals::check;
-    smoothing       = prm.get_double("Stiffness smoothing");
     thickness       = prm.get_double("Thickness");
     thickness_scale = prm.get_double("Thickness scale");
     AssertThrow(thickness_scale > 0.,
@@ -341,9 +333,6 @@ namespace MortarContact
     AssertThrow(!augmentation.is_on || !has_ties(),
                 ExcMessage("'Augmentation' is 'Uzawa' but 'Kind' has ties; it "
                            "acts on contact pressures only."));
-    AssertThrow(smoothing == 0. || integration.rule == Integration::Rule::nodes,
-                ExcMessage("'Stiffness smoothing' is set but 'Integration' is "
-                           "not 'nodes'. Remove one of them."));
     AssertThrow(
       largest_penetration == 0. || characteristic_length != "shortest edge",
       ExcMessage("'Largest penetration' is set and 'Characteristic length' is "

@@ -97,7 +97,6 @@ set_punch "punch on block|nothing is tied|Tie tolerance" "$c/Kind=tied" "$c/Seco
 set_punch "Penetration tolerance|Uzawa" "$c/Augmentation=Uzawa"
 set_punch "Primary|single surface" "$c/Kind=automatic single surface"
 set_punch "Tool normals|forming" "$c/Tool normals=turn"
-set_punch "Stiffness smoothing|nodes" "$c/Stiffness smoothing=0.1"
 set_punch "Density|dynamic" "Dynamics/Type=dynamic"
 set_punch "Initial velocity|static" "$b/Initial velocity=1; 0"
 set_punch "Mass damping|static" "Dynamics/Mass damping=1"

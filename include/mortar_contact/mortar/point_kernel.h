@@ -54,10 +54,6 @@ namespace MortarContact
     double tangential_scale = 0.1;
     /// Slip at which sliding starts [m]; zero: as tangential_scale says.
     double elastic_slip = 0.;
-
-    /// Stiffness smoothing: the tangent, not the force, starts so much before
-    /// touch, as a share of l; zero: consistent. For comparisons.
-    double smoothing = 0.;
   };
 
   /// What friction knows of a secondary facet from the last accepted step.

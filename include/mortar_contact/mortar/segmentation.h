@@ -44,6 +44,11 @@ namespace MortarContact
    * into simplices (an interval in 2d; in 3d triangles around the area
    * centroid, which must be the area centroid: with the mean of the vertices
    * the quadrature would jump when the overlap gains a vertex).
+   *
+   * A vertex that is almost on the line between its neighbours, where edges of
+   * the two facets almost coincide, becomes the tip of a thin triangle of its
+   * own: it runs along the whole edge while the facets move by next to nothing,
+   * and around the centroid the quadrature would change with it as fast.
    */
   template <int dim>
   class MortarSegments
@@ -52,7 +57,10 @@ namespace MortarContact
     explicit MortarSegments(const Overlap<dim> &overlap);
 
     unsigned int
-    n_simplices() const;
+    n_simplices() const
+    {
+      return n_triangles;
+    }
 
     /// Corner @p k of simplex @p s.
     const PlanePoint<dim> &
@@ -86,13 +94,19 @@ namespace MortarContact
   private:
     /// Number of corner @p k of simplex @p s; the centroid comes last.
     unsigned int
-    corner_index(const unsigned int s, const unsigned int k) const;
+    corner_index(const unsigned int s, const unsigned int k) const
+    {
+      return (dim == 2) ? k : triangles[s][k];
+    }
 
     /// Overlap vertices plus the centroid.
     static constexpr unsigned int max_corners = max_overlap_vertices<dim> + 1;
 
-    bool                                      motion_known = false;
-    Overlap<dim>                              overlap;
+    bool         motion_known = false;
+    Overlap<dim> overlap;
+    unsigned int n_triangles = 1;
+    std::array<std::array<unsigned int, 3>, max_overlap_vertices<dim>>
+                                              triangles; ///< Not in 2d.
     PlanePoint<dim>                           centroid;
     std::array<PlaneMotion<dim>, max_corners> corner_motion;
   };

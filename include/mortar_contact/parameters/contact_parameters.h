@@ -81,7 +81,6 @@ namespace MortarContact
     TieParameters      tie;
     Augmentation       augmentation;
     ToolNormals        tool_normals = ToolNormals::check;
-    double             smoothing    = 0.; ///< KernelOptions::smoothing [-]
 
     unsigned int report_every      = 1; ///< MINFO, steps; 0: never.
     unsigned int n_worst_facets    = 3;

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#ifndef mortar_contact_structure_mixed_solver_h
+#define mortar_contact_structure_mixed_solver_h
+
+#include "cell_batches.h"
+
+namespace Structure
+{
+  /// What solve_mixed() took.
+  struct MixedSolve
+  {
+    bool         converged  = false;
+    unsigned int iterations = 0;
+  };
+
+  /**
+   * Solve the system of PressureUnknowns by FGMRES with the preconditioner
+   *   [ P   B^T ]
+   *   [ 0   -S  ],   S = V/(K - k) + V/(mu + k) cell by cell,
+   * which needs as many iterations for a bulk modulus of 2 mu as for an
+   * infinite one.
+   *
+   * @param matrix A.
+   * @param preconditioner P: vmult() is close to the inverse of A.
+   * @param residual r.
+   * @param pressures Takes the update of the pressures.
+   * @param x Takes du; the start is zero.
+   * @param tolerance Residual over right-hand side, both in the norm of the
+   *                  diagonal's inverse [-].
+   */
+  template <typename Preconditioner>
+  MixedSolve
+  solve_mixed(const Matrix_t       &matrix,
+              const Preconditioner &preconditioner,
+              const Vector_t       &residual,
+              PressureUnknowns     &pressures,
+              Vector_t             &x,
+              const double          tolerance,
+              const unsigned int    max_iterations);
+} // namespace Structure
+
+#endif
