@@ -2,6 +2,7 @@
 #include "driver.h"
 
 #include "simulation.h"
+#include "stop_signal.h"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
@@ -93,6 +94,7 @@ namespace Structure
     // a user's mistake is no reason for a stack trace
     deal_II_exceptions::suppress_stacktrace_in_exceptions();
     Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+    catch_stop_signals();
     const bool is_root = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
 
     CLI::App    app(driver.description, driver.name);

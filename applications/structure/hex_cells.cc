@@ -195,41 +195,48 @@ namespace Structure
                            const Target                 &target,
                            PressureUnknowns             &pressures) const
   {
-    std::vector<types::global_dof_index> dofs;
-    std::vector<double>                  values;
+    const auto set = [&](const unsigned int             n,
+                         const types::global_dof_index *dofs,
+                         const double                  *values) {
+      if (n > 0)
+        pressures.derivative.set(row, n, dofs, values, false);
+    };
     if (cell.is_plain)
-      for (unsigned int a = 0; a < n_nodes; ++a)
-        for (unsigned int i = 0; i < 3; ++i)
-          {
-            dofs.push_back(cell.dofs[a] + i);
-            values.push_back(result.dv[a][i][lane]);
-          }
-    else
       {
-        std::map<types::global_dof_index, double> sums;
-        Entries                                   entries;
-        double                                    prescribed = 0.;
+        std::array<types::global_dof_index, n_dofs> dofs;
+        std::array<double, n_dofs>                  values;
         for (unsigned int a = 0; a < n_nodes; ++a)
           for (unsigned int i = 0; i < 3; ++i)
             {
-              const double dv = result.dv[a][i][lane];
-              resolve(cell.dofs[a] + i, target.constraints, entries);
-              for (const auto &[dof, weight] : entries)
-                sums[dof] += weight * dv;
-              if (target.constraints.is_constrained(cell.dofs[a] + i))
-                prescribed +=
-                  dv * target.constraints.get_inhomogeneity(cell.dofs[a] + i);
+              dofs[3 * a + i]   = cell.dofs[a] + i;
+              values[3 * a + i] = result.dv[a][i][lane];
             }
-        for (const auto &[dof, value] : sums)
-          {
-            dofs.push_back(dof);
-            values.push_back(value);
-          }
-        pressures.prescribed(row) = prescribed;
+        set(n_dofs, dofs.data(), values.data());
+        return;
       }
-    if (!dofs.empty())
-      pressures.derivative.set(
-        row, dofs.size(), dofs.data(), values.data(), false);
+    std::map<types::global_dof_index, double> sums;
+    Entries                                   entries;
+    double                                    prescribed = 0.;
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          const double dv = result.dv[a][i][lane];
+          resolve(cell.dofs[a] + i, target.constraints, entries);
+          for (const auto &[dof, weight] : entries)
+            sums[dof] += weight * dv;
+          if (target.constraints.is_constrained(cell.dofs[a] + i))
+            prescribed +=
+              dv * target.constraints.get_inhomogeneity(cell.dofs[a] + i);
+        }
+    std::vector<types::global_dof_index> dofs;
+    std::vector<double>                  values;
+    for (const auto &[dof, value] : sums)
+      {
+        dofs.push_back(dof);
+        values.push_back(value);
+      }
+    set(dofs.size(), dofs.data(), values.data());
+    pressures.prescribed(row) = prescribed;
   }
 
 

@@ -24,7 +24,9 @@ namespace Structure
                       "automatic",
                       Patterns::Selection("automatic|direct|iterative"),
                       "direct: MUMPS. iterative: CG or GMRES with algebraic "
-                      "multigrid. automatic: direct up to the limit below.");
+                      "multigrid; with nearly incompressible cells (mean "
+                      "dilatation, neo-Hookean) FGMRES with their pressures as "
+                      "unknowns. automatic: direct up to the limit below.");
     prm.declare_entry(
       "Direct up to",
       "60000",
@@ -36,7 +38,7 @@ namespace Structure
                       Patterns::Double(1e-15, 1e-1),
                       "Residual over right-hand side, iterative [-].");
     prm.declare_entry("Mixed tolerance",
-                      "1e-3",
+                      "1e-2",
                       Patterns::Double(1e-15, 1e-1),
                       "The same where the pressures of nearly incompressible "
                       "cells are unknowns; Newton's tolerances decide when a "
@@ -44,7 +46,8 @@ namespace Structure
     prm.declare_entry("Maximum iterations",
                       "2000",
                       Patterns::Integer(1),
-                      "Then the direct solver takes over [-].");
+                      "Then the direct solver takes over, or with pressures "
+                      "as unknowns the step is cut back [-].");
   }
 
 
@@ -61,8 +64,10 @@ namespace Structure
 
   template <int dim>
   void
-  LinearSolver<dim>::make_multigrid(const Model<dim> &model)
+  LinearSolver<dim>::make_multigrid(Model<dim> &model)
   {
+    // it refers to the matrix, whose values may change
+    model.before_new_matrix = [this]() { multigrid.reset(); };
     TrilinosWrappers::PreconditionAMG::AdditionalData data;
     data.elliptic              = true;
     data.aggregation_threshold = 0.02;
@@ -81,7 +86,6 @@ namespace Structure
     list.set("null space: vectors", modes->Values());
     multigrid = std::make_unique<TrilinosWrappers::PreconditionAMG>();
     multigrid->initialize(model.matrix, list);
-    multigrid_pattern    = model.n_patterns;
     multigrid_iterations = 0;
   }
 
@@ -95,16 +99,16 @@ namespace Structure
       {
         result.method = "FGMRES";
         // an old hierarchy serves until it costs more than a new one
-        if (!multigrid || multigrid_pattern != model.n_patterns)
+        if (!multigrid)
           make_multigrid(model);
         for (bool again = true; again;)
           {
             const bool         is_new = multigrid_iterations == 0;
-            const unsigned int most   = is_new ?
-                                          parameters.max_iterations :
-                                          std::min(parameters.max_iterations,
-                                                 2 * multigrid_iterations + 10);
-            const MixedSolve   solved = solve_mixed(model.matrix,
+            const unsigned int most =
+              is_new ?
+                parameters.max_iterations :
+                std::min(parameters.max_iterations, multigrid_iterations + 10);
+            const MixedSolve solved = solve_mixed(model.matrix,
                                                   *multigrid,
                                                   model.rhs,
                                                   model.pressures,

@@ -26,7 +26,7 @@ namespace Structure
     std::string  type            = "automatic";
     unsigned int direct_limit    = 60000; ///< dofs, for automatic in 3d
     double       tolerance       = 1e-10; ///< Relative residual.
-    double       mixed_tolerance = 1e-3;  ///< With pressures as unknowns.
+    double       mixed_tolerance = 1e-2;  ///< With pressures as unknowns.
     unsigned int max_iterations  = 2000;
 
     /// Whether a model of that many dofs is solved iteratively.
@@ -49,8 +49,9 @@ namespace Structure
 
   /**
    * Solves matrix x = rhs: directly by MUMPS, or by CG (symmetric models) or
-   * GMRES with algebraic multigrid that knows the rigid body motions. When an
-   * iterative method fails, the direct one takes over.
+   * GMRES with algebraic multigrid that knows the rigid body motions (when they
+   * fail, the direct one takes over), or with pressures as unknowns by
+   * solve_mixed().
    */
   template <int dim>
   class LinearSolver
@@ -65,16 +66,17 @@ namespace Structure
     LinearSolve
     solve(Model<dim> &model, Vector_t &x);
 
+    LinearSolver(const LinearSolver &) = delete; // models may refer to it
+
   private:
     /// Multigrid for the matrix of the model.
     void
-    make_multigrid(const Model<dim> &model);
+    make_multigrid(Model<dim> &model);
 
     const LinearSolverParameters parameters;
     DirectSolver                 direct;
 
     std::unique_ptr<TrilinosWrappers::PreconditionAMG> multigrid;
-    unsigned int multigrid_pattern = 0; ///< Model::n_patterns it was made for.
     unsigned int multigrid_iterations = 0; ///< Of its first solve; 0: none yet.
   };
 } // namespace Structure

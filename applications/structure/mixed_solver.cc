@@ -123,7 +123,7 @@ namespace Structure
     SolverControl control(max_iterations, tolerance * rhs.l2_norm());
     try
       {
-        SolverFGMRES<Block>(control, SolverFGMRES<Block>::AdditionalData(60))
+        SolverFGMRES<Block>(control, SolverFGMRES<Block>::AdditionalData(40))
           .solve(A, solution, rhs, P);
         result.converged = std::isfinite(solution.l2_norm());
       }

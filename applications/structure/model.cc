@@ -378,6 +378,8 @@ namespace Structure
                                                owned,
                                                communicator,
                                                complete_index_set(total_dofs));
+    if (before_new_matrix)
+      before_new_matrix();
     matrix.clear();
     matrix.reinit(owned, owned, dsp, communicator);
     n_nonzero = matrix.n_nonzero_elements();

@@ -14,6 +14,7 @@
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/trilinos_vector.h>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -142,6 +143,7 @@ namespace Structure
     AffineConstraints<double> constraints; ///< For the next update.
     PressureUnknowns          pressures;
     Matrix_t                  matrix;
+    std::function<void()>     before_new_matrix; ///< If set.
     Vector_t                  rhs; ///< Minus the residual, condensed.
     ForceNorms                norms;
     double                    size = 0.; ///< Diagonal of the scene's box [m]

@@ -4,6 +4,7 @@
 #include "../geometry/mesh_maker.h"
 #include "shell_body.h"
 #include "solid_body.h"
+#include "stop_signal.h"
 
 #include <deal.II/base/utilities.h>
 
@@ -380,6 +381,11 @@ namespace Structure
     if (!scene.newton.predicts || cut_backs_of_step >= 3 ||
         rate.linfty_norm() == 0.)
       return motion;
+    // where overlaps have been removed the motion turns
+    for (const auto &interface : model.interfaces)
+      if (std::abs(time - interface->parameters.removal_time) <=
+          1e-10 * scene.steps.end_time)
+        return motion;
     motion.equ(new_time - time, rate);
     double share = 1.;
     for (const auto &interface : model.interfaces)
@@ -605,6 +611,15 @@ namespace Structure
         cut_backs_of_step = 0;
         if (after_step)
           after_step(*this);
+        if (!is_last && stop_is_requested(communicator))
+          {
+            write_checkpoint();
+            write_summary("stopped");
+            log.line("Stopped by a signal after step " + std::to_string(step) +
+                     ", time " + number(time) + ". Continue with --restart " +
+                     output.directory + ".");
+            return stopped;
+          }
       }
     write_summary("finished");
     log.line("Finished: " + std::to_string(step) + " steps, " +

@@ -18,7 +18,8 @@ namespace Structure
     finished       = 0,
     wrong_input    = 1,
     no_convergence = 2,
-    internal_error = 3
+    internal_error = 3,
+    stopped        = 4 ///< By a signal; can be continued.
   };
 
   /**
@@ -50,7 +51,7 @@ namespace Structure
     void
     restart(const std::string &directory);
 
-    /// All steps. @return finished or no_convergence.
+    /// All steps. @return finished, no_convergence or stopped.
     ExitCode
     run();
 

@@ -35,6 +35,29 @@ run_alone --restart "$folder/parts-1" --output "$folder/parts-1"
 "$checker" "$folder/parts-1/summary.json" "$folder/whole-1/summary.json" 0 ||
   fail "the continued run on one rank differs"
 
+# a signal ends the run after the step under way, with code 4
+stop() { # FOLDER SIGNAL COMMAND...
+  local folder=$1 signal=$2 code=0
+  shift 2
+  "$@" --quiet --output "$folder" &
+  until [ "$(wc -l < "$folder/history.csv" 2> /dev/null || echo 0)" -ge 2 ]; do
+    sleep 0.05
+  done
+  kill "-$signal" $!
+  wait $! || code=$?
+  [ "$code" = 4 ] || fail "exit code $code instead of 4 after $signal"
+  grep -q '"stopped"' "$folder/summary.json" || fail "wrong status"
+  grep -q "Continue with --restart" "$folder/run.log" || fail "no word of it"
+}
+stop "$folder/stopped-1" TERM "$driver" "$file"
+run_alone --restart "$folder/stopped-1" --output "$folder/stopped-1"
+"$checker" "$folder/stopped-1/summary.json" "$folder/whole-1/summary.json" 0 ||
+  fail "the run that was stopped on one rank differs"
+stop "$folder/stopped" USR1 "$mpiexec" -n 2 "$driver" "$file"
+run --restart "$folder/stopped" --output "$folder/stopped"
+"$checker" "$folder/stopped/summary.json" "$folder/whole/summary.json" 1e-10 ||
+  fail "the run that was stopped differs"
+
 # no convergence: code 2, the last good state is saved, and can be continued
 code=0
 run --output "$folder/hard" --set "Solver/Newton/Maximum iterations=1" \

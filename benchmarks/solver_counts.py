@@ -1,0 +1,73 @@
+#!/usr/bin/python3
+"""Linear iterations of the rubber fit over Poisson's ratio, mesh and contact stiffness.
+
+Usage: benchmarks/solver_counts.py [--ranks N] [--output DIR] [--set "Section/Entry=value"]...
+
+Each number is the mean over the Newton iterations of the first two steps, to the
+tolerance that the drivers use with pressures as unknowns.
+"""
+import argparse
+import json
+import os
+import subprocess
+
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+RATIOS = ["0.45", "0.49", "0.499", "0.4999"]
+MESHES = {"16, 7, 20": "14, 3, 18", "31, 10, 23": "17, 4, 10", "46, 15, 34": "25, 6, 15"}
+SCALES = ["2", "20", "200"]
+
+
+def count(ratio, rubber, seat, scale, arguments):
+    folder = os.path.join(arguments.output, "run")
+    command = ["mpirun", "-np", str(arguments.ranks)]
+    command += [os.path.join(arguments.build, "rubber_fit")]
+    command += [os.path.join(ROOT, "prm/rubber_fit.prm"), "--quiet", "--output", folder]
+    for setting in [
+        "Solver/Linear/Type=iterative",
+        "Steps/First step=0.05",
+        "Steps/Largest step=0.05",
+        "Steps/Maximum steps=2",
+        "Output/Every=0",
+        f"Rubber/Cells={rubber}",
+        f"Seat/Cells={seat}",
+        f"Rubber/Poisson's ratio={ratio}",
+        f"Contact/Stiffness scale={scale}",
+    ] + arguments.set:
+        command += ["--set", setting]
+    environment = dict(os.environ, OMP_NUM_THREADS="1")
+    environment.setdefault("OMPI_ALLOW_RUN_AS_ROOT", "1")
+    environment.setdefault("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1")
+    code = subprocess.run(command, env=environment, stdout=subprocess.DEVNULL).returncode
+    if code != 0:
+        return f"(code {code})"
+    with open(os.path.join(folder, "summary.json")) as file:
+        summary = json.load(file)
+    mean = summary["linear_iterations"] / summary["newton_iterations"]
+    failed = f", {summary['cut_backs']} cut-backs" if summary["cut_backs"] else ""
+    return f"{mean:.0f} ({summary['newton_iterations']}{failed})"
+
+
+def main():
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("--build", default=os.path.join(ROOT, "build"))
+    parser.add_argument("--output", default=os.path.join(ROOT, "output/solver_counts"))
+    parser.add_argument("--ranks", type=int, default=2)
+    parser.add_argument("--set", action="append", default=[])
+    arguments = parser.parse_args()
+    os.makedirs(arguments.output, exist_ok=True)
+    lines = ["Linear iterations per Newton iteration (Newton iterations of two steps)", ""]
+    lines += ["| cells of the rubber | contact scale | " + " | ".join(RATIOS) + " |"]
+    lines += ["|" + "---|" * (2 + len(RATIOS))]
+    for rubber, seat in MESHES.items():
+        for scale in SCALES:
+            row = [count(ratio, rubber, seat, scale, arguments) for ratio in RATIOS]
+            lines.append(f"| {rubber} | {scale} | " + " | ".join(row) + " |")
+            print(lines[-1], flush=True)
+    with open(os.path.join(arguments.output, "table.md"), "w") as file:
+        file.write("\n".join(lines) + "\n")
+
+
+if __name__ == "__main__":
+    main()
