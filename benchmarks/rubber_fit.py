@@ -69,20 +69,22 @@ def main():
     for name, cells in MESHES.items():
         if name != "1" or arguments.whole:
             results[name] = run(name, cells, arguments)
-    header = ["size", "dofs", "steps", "Newton", "linear per Newton", "seconds"]
+    header = ["size", "status", "dofs", "steps", "Newton", "linear per Newton", "seconds"]
     header += PARTS + ["contact share", "memory GB"]
     lines = ["| " + " | ".join(header) + " |", "|" + "---|" * len(header)]
     for name, (summary, times) in results.items():
         wall = summary["wall_seconds"]
         contact = sum(times.get(part, 0.0) for part in PARTS if part.startswith("contact"))
         newton = summary["newton_iterations"]
-        row = [name, summary["dofs"], summary["steps"], newton]
+        row = [name, summary["status"], summary["dofs"], summary["steps"], newton]
         row += [f"{summary['linear_iterations'] / max(1, newton):.1f}", f"{wall:.0f}"]
         row += [f"{times.get(part, 0.0):.1f}" for part in PARTS]
         row += [f"{100 * contact / wall:.0f} %", f"{summary['peak_memory_kB'] / 1e6:.2f}"]
         lines.append("| " + " | ".join(map(str, row)) + " |")
     first, last = list(results.values())[0][0], list(results.values())[-1][0]
     grown = math.log(last["dofs"] / first["dofs"])
+    if any(summary["status"] != "finished" for summary, _ in results.values()):
+        sys.exit("\n".join(lines) + "\nNot all runs finished: no exponents.")
     lines += ["", "Exponents over the number of dofs: time "
               f"{math.log(last['wall_seconds'] / first['wall_seconds']) / grown:.2f}, memory "
               f"{math.log(last['peak_memory_kB'] / first['peak_memory_kB']) / grown:.2f}; "

@@ -21,7 +21,7 @@ namespace Structure
    * doi:10.1016/0045-7949(87)90265-3): Newton's linear system is
    *   [ A   B^T       ] [ du ]   [ r            ]
    *   [ B  -V/(K - k) ] [ dq ] = [ -(R + B du_0) ],
-   *   R = v - V - V p/K,   dp = dq + k/V (B du + R),
+   *   R = v - V - V p/K,   dp = dq + k/V (B (du + du_0) + R),
    * with the share k of the bulk modulus K that is left in the matrix A, and
    * prescribed du_0. Its residual is not multiplied by K as that of the
    * condensed system (k = K), so that it may be solved roughly. All vectors are

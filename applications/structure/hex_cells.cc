@@ -133,15 +133,23 @@ namespace Structure
         // owned columns come first and in order
         for (unsigned int a = 0; a < n_nodes; ++a)
           {
-            const unsigned int row   = cell.dofs[a] - first_owned;
-            const int         *begin = indices + row_begin[row];
-            const int         *end   = indices + row_begin[row + 1];
+            const unsigned int row = cell.dofs[a] - first_owned;
             for (unsigned int b = 0; b < n_nodes; ++b)
               {
                 const int  column = cell.dofs[b] - first_owned;
+                const int *begin  = indices + row_begin[row];
+                const int *end    = indices + row_begin[row + 1];
                 const int *at     = std::lower_bound(begin, end, column);
-                AssertThrow(at != end && *at == column, ExcInternalError());
                 columns[c][n_nodes * a + b] = at - begin;
+                // the rows of a node have the same columns
+                for (unsigned int i = 0; i < 3; ++i)
+                  for (unsigned int j = 0; j < 3; ++j)
+                    {
+                      const int k = row_begin[row + i] + (at - begin) + j;
+                      AssertThrow(k < row_begin[row + i + 1] &&
+                                    indices[k] == column + static_cast<int>(j),
+                                  ExcInternalError());
+                    }
               }
           }
       }

@@ -118,10 +118,12 @@ namespace Structure
             result.iterations += solved.iterations;
             result.converged = solved.converged;
             again            = !solved.converged && !is_new;
-            if (is_new)
-              multigrid_iterations = std::max(1u, solved.iterations);
-            else if (again)
+            if (again)
               make_multigrid(model);
+            else if (!solved.converged)
+              multigrid.reset();
+            else if (is_new)
+              multigrid_iterations = std::max(1u, solved.iterations);
           }
         return result;
       }
@@ -152,6 +154,7 @@ namespace Structure
           {
             result.iterations = e.last_step;
           }
+        multigrid.reset();
         if (result.converged)
           return result;
       }
@@ -159,6 +162,7 @@ namespace Structure
       iterative ? result.method + " failed, MUMPS" : std::string("MUMPS");
     result.converged =
       direct.solve(model.matrix, model.n_patterns, model.rhs, x);
+    result.is_singular = !result.converged;
     return result;
   }
 

@@ -42,8 +42,9 @@ namespace Structure
   /// What a solve took.
   struct LinearSolve
   {
-    bool         converged  = false;
-    unsigned int iterations = 0; ///< 0: direct.
+    bool         converged   = false;
+    bool         is_singular = false; ///< So the direct solver says.
+    unsigned int iterations  = 0;     ///< Of iterative methods.
     std::string  method;
   };
 

@@ -131,7 +131,7 @@ namespace Structure
       {}
     result.iterations = control.last_step();
 
-    // Step 4: dp = dq + k/V (B du + R).
+    // Step 4: dp = dq + k/V (B (du + du_0) + R).
     x                = solution.block(0);
     pressures.update = pressures.residual;
     pressures.update += pressures.prescribed;

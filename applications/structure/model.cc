@@ -568,6 +568,8 @@ namespace Structure
                   loaded = 0.;
                   for (Load<dim> &load : loads[i])
                     b.add_load(cell, load, values, time, loaded, tangent);
+                  if (batches[i] && loaded.all_zero())
+                    continue;
                   none.distribute_local_to_global(loaded, dofs, external);
                   forces -= loaded;
                 }

@@ -84,7 +84,8 @@ namespace Structure
      * Assemble residual (and tangent) at @p u, @p time.
      * @param previous Null, or the Newton iterate before, for shells: see
      *                 ShellElement::evaluate().
-     * @param reset_pressures Pressures that are unknowns first follow from u.
+     * @param reset_pressures Pressures that are unknowns follow from u; else
+     *                 they are what Newton's method made of them.
      * @return Why this is impossible (a cell turned inside out), or nothing.
      */
     std::string
@@ -92,7 +93,7 @@ namespace Structure
              const double    time,
              const bool      with_tangent,
              const Vector_t *previous        = nullptr,
-             const bool      reset_pressures = false);
+             const bool      reset_pressures = true);
 
     /// Accept the state of the last assembly, at @p u, as the end of a step.
     void

@@ -121,7 +121,7 @@ namespace Structure
 
     NewtonIterate iterate;
     iterate.update = std::numeric_limits<double>::max();
-    result.failure = model.assemble(u, time, true, nullptr, true);
+    result.failure = model.assemble(u, time, true);
     if (!result.failure.empty())
       return result;
 
@@ -176,10 +176,11 @@ namespace Structure
         if (!iterate.linear.converged)
           {
             result.failure =
-              iterate.linear.iterations == 0 ?
+              iterate.linear.is_singular ?
                 "the tangent matrix is singular (a body that nothing holds?)" :
                 "the linear solver did not converge in " +
-                  std::to_string(iterate.linear.iterations) + " iterations";
+                  std::to_string(iterate.linear.iterations) +
+                  " iterations ('Solver/Linear/Type = direct' may)";
             return result;
           }
         model.constraints.distribute(du);
@@ -208,8 +209,8 @@ namespace Structure
                 model.pressures.value = p_before;
                 model.pressures.value.add(iterate.step, model.pressures.update);
               }
-            result.failure =
-              model.assemble(u, time, true, mixed_points ? &u_before : nullptr);
+            result.failure = model.assemble(
+              u, time, true, mixed_points ? &u_before : nullptr, false);
             const bool better = model.norms.residual < residual_before;
             const bool less_work =
               std::abs(du * model.rhs) <= enough * std::abs(work_before);

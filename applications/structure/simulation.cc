@@ -567,6 +567,8 @@ namespace Structure
                 write_summary("no convergence");
                 return no_convergence;
               }
+            if (stops_by_signal())
+              return stopped;
             continue;
           }
 
@@ -611,15 +613,8 @@ namespace Structure
         cut_backs_of_step = 0;
         if (after_step)
           after_step(*this);
-        if (!is_last && stop_is_requested(communicator))
-          {
-            write_checkpoint();
-            write_summary("stopped");
-            log.line("Stopped by a signal after step " + std::to_string(step) +
-                     ", time " + number(time) + ". Continue with --restart " +
-                     output.directory + ".");
-            return stopped;
-          }
+        if (!is_last && stops_by_signal())
+          return stopped;
       }
     write_summary("finished");
     log.line("Finished: " + std::to_string(step) + " steps, " +
@@ -628,6 +623,21 @@ namespace Structure
              duration(wall.wall_time()) + ". Results in '" + output.directory +
              "'.");
     return finished;
+  }
+
+
+  template <int dim>
+  bool
+  Simulation<dim>::stops_by_signal()
+  {
+    if (!stop_is_requested(communicator))
+      return false;
+    write_checkpoint();
+    write_summary("stopped");
+    log.line("Stopped by a signal after step " + std::to_string(step) +
+             ", time " + number(time) + ". Continue with --restart " +
+             output.directory + ".");
+    return true;
   }
 
 

@@ -104,6 +104,10 @@ namespace Structure
     std::string
     try_step(const double new_time);
 
+    /// Save the last accepted state if a signal asks to stop.
+    bool
+    stops_by_signal();
+
     void
     write_step(const double step_size, const bool is_last);
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "stop_signal.h"
 
-#include <csignal>
+#include <signal.h>
 
 namespace Structure
 {
   namespace
   {
-    volatile std::sig_atomic_t requested = 0;
+    volatile sig_atomic_t requested = 0;
 
     extern "C" void
     request_stop(int)
@@ -20,8 +20,12 @@ namespace Structure
   void
   catch_stop_signals()
   {
-    std::signal(SIGTERM, request_stop);
-    std::signal(SIGUSR1, request_stop);
+    struct sigaction action = {};
+    action.sa_handler       = request_stop;
+    // the second one ends the program, as ever
+    action.sa_flags = SA_RESETHAND | SA_RESTART;
+    sigaction(SIGTERM, &action, nullptr);
+    sigaction(SIGUSR1, &action, nullptr);
   }
 
 

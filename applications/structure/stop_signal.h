@@ -6,7 +6,8 @@
 
 namespace Structure
 {
-  /// From now on SIGTERM and SIGUSR1 ask for a stop after the step under way.
+  /// From now on SIGTERM and SIGUSR1 ask for a stop after the step under way
+  /// (or the trial of one); a second one ends the program.
   /// (mpirun ends all ranks at SIGTERM but hands SIGUSR1 on to them.)
   void
   catch_stop_signals();

@@ -103,37 +103,53 @@ namespace MortarContact
           }
         centroid /= sum;
 
-        // Thin tips first, no two beside each other; then around the centroid
-        // what they leave.
-        n_triangles          = 0;
-        const unsigned int n = overlap.n_vertices;
-        std::array<unsigned int, max_overlap_vertices<dim>> rest;
-        unsigned int                                        n_rest = 0;
-        bool first_is_tip = false, last_was_tip = false;
-        for (unsigned int k = 0; k < n; ++k)
-          {
-            const unsigned int  before = (k + n - 1) % n, after = (k + 1) % n;
-            const Tensor<1, 2> &y        = overlap.vertices[k].y;
-            const Tensor<1, 2>  e        = y - overlap.vertices[before].y;
-            const Tensor<1, 2>  f        = overlap.vertices[after].y - y;
-            const double        turn     = e[0] * f[1] - e[1] * f[0];
-            const bool          has_room = !last_was_tip &&
-                                  !(after == 0 && first_is_tip) &&
-                                  n - n_triangles > 3;
-            last_was_tip = has_room && turn * turn < thin_tip * thin_tip *
-                                                       e.norm_square() *
-                                                       f.norm_square();
-            if (k == 0)
-              first_is_tip = last_was_tip;
-            if (last_was_tip)
-              triangles[n_triangles++] = {{before, k, after}};
-            else
-              rest[n_rest++] = k;
-          }
-        for (unsigned int k = 0; k < n_rest; ++k)
-          triangles[n_triangles++] = {
-            {max_corners - 1, rest[k], rest[(k + 1) % n_rest]}};
+        // Thin tips first, unless they leave something of which the centroid is
+        // no part; then around the centroid what they leave.
+        if (!cut(true))
+          cut(false);
       }
+  }
+
+
+  template <int dim>
+  bool
+  MortarSegments<dim>::cut(const bool with_tips)
+  {
+    n_triangles                                           = 0;
+    const unsigned int                                  n = overlap.n_vertices;
+    std::array<unsigned int, max_overlap_vertices<dim>> rest;
+    unsigned int                                        n_rest = 0;
+    bool first_is_tip = false, last_was_tip = false;
+    for (unsigned int k = 0; k < n; ++k)
+      {
+        const unsigned int     before = (k + n - 1) % n, after = (k + 1) % n;
+        const PlanePoint<dim> &y       = overlap.vertices[k].y;
+        const PlanePoint<dim>  e       = y - overlap.vertices[before].y;
+        const PlanePoint<dim>  f       = overlap.vertices[after].y - y;
+        const double           along   = e * f;
+        const double           lengths = e.norm_square() * f.norm_square();
+        // no two tips beside each other
+        const bool has_room = with_tips && !last_was_tip &&
+                              !(after == 0 && first_is_tip) &&
+                              n - n_triangles > 3;
+        last_was_tip = has_room && along > 0. &&
+                       along * along > (1. - thin_tip * thin_tip) * lengths;
+        if (k == 0)
+          first_is_tip = last_was_tip;
+        if (last_was_tip)
+          triangles[n_triangles++] = {{before, k, after}};
+        else
+          rest[n_rest++] = k;
+      }
+    const unsigned int n_tips = n_triangles;
+    for (unsigned int k = 0; k < n_rest; ++k)
+      triangles[n_triangles++] = {
+        {max_corners - 1, rest[k], rest[(k + 1) % n_rest]}};
+    if (n_tips > 0)
+      for (unsigned int s = n_tips; s < n_triangles; ++s)
+        if (area(s) < 0.)
+          return false;
+    return true;
   }
 
 

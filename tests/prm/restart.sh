@@ -41,6 +41,7 @@ stop() { # FOLDER SIGNAL COMMAND...
   shift 2
   "$@" --quiet --output "$folder" &
   until [ "$(wc -l < "$folder/history.csv" 2> /dev/null || echo 0)" -ge 2 ]; do
+    kill -0 $! || fail "the run ended before its first step"
     sleep 0.05
   done
   kill "-$signal" $!

@@ -92,6 +92,10 @@ namespace MortarContact
     area_motion(const unsigned int s) const;
 
   private:
+    /// Cut the overlap into triangles. @return No area is negative.
+    bool
+    cut(const bool with_tips);
+
     /// Number of corner @p k of simplex @p s; the centroid comes last.
     unsigned int
     corner_index(const unsigned int s, const unsigned int k) const
