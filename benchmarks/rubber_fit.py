@@ -40,6 +40,7 @@ def run(name, cells, arguments):
     command += [os.path.join(ROOT, "prm/rubber_fit.prm"), "--quiet", "--output", folder]
     settings = [f"Rubber/Cells={cells[0]}", f"Seat/Cells={cells[1]}"]
     settings += ["Output/Every=5", "Solver/Linear/Type=iterative"]
+    settings += ["Steps/First step=0.025"]
     for setting in settings + arguments.set:
         command += ["--set", setting]
     environment = dict(os.environ, OMP_NUM_THREADS="1")
