@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
-#include <sstream>
 
 namespace
 {
@@ -29,7 +28,6 @@ namespace
   {
     const Patterns::Double positive(1e-300), not_negative(0.);
     const Patterns::List   two(Patterns::Double(), 2, 2);
-    prm.declare_entry("Driver", "dummy_on_hood", Patterns::Anything(), "");
     prm.enter_subsection("Hood");
     Hood::declare(prm);
     prm.enter_subsection("Material");
@@ -139,15 +137,6 @@ namespace
     prm.leave_subsection();
   }
 
-  std::string
-  text(const double x)
-  {
-    std::ostringstream out;
-    out.precision(17);
-    out << x;
-    return out.str();
-  }
-
   /// The parts of the dummy, each at its own height above the hood.
   std::vector<Ellipsoid>
   read_parts(ParameterHandler &prm, const Hood &hood, const double clearance)
@@ -206,17 +195,8 @@ namespace
   }
 
   Scene
-  read_placement(const SceneSource &source, std::string &used)
+  read_placement(ParameterHandler &prm)
   {
-    {
-      ParameterHandler prm;
-      prm.declare_entry("Driver", "", Patterns::Anything());
-      parse(prm, source, true);
-    }
-    ParameterHandler prm;
-    declare(prm);
-    parse(prm, source, false);
-
     Scene scene;
     using Type           = BoundaryCondition::Type;
     const auto condition = [&](const std::string                &name,
@@ -254,15 +234,16 @@ namespace
         };
         scene.bodies.push_back(sheet);
       }
-    const std::string half = text(0.5 * support);
-    const auto        patch =
-      [&](const std::string &name, const double x, const std::string &y) {
-        condition(name, "frame", {{"0", "0", "0"}});
-        scene.conditions.back().where = "abs(x - " + text(x) + ") <= " + half +
-                                        " && abs(" + y + ") <= " + half;
-      };
+    const std::string half  = text_of(0.5 * support);
+    const auto        patch = [&](const std::string &name,
+                           const double       x,
+                           const std::string &y) {
+      condition(name, "frame", {{"0", "0", "0"}});
+      scene.conditions.back().where = "abs(x - " + text_of(x) + ") <= " + half +
+                                      " && abs(" + y + ") <= " + half;
+    };
     const double side = 0.4 * hood->width;
-    patch("hinges", hood->length - 0.5 * support, "abs(y) - " + text(side));
+    patch("hinges", hood->length - 0.5 * support, "abs(y) - " + text_of(side));
     patch("latch", 0.5 * support, "y");
 
     InterfaceParameters glue;
@@ -301,9 +282,9 @@ namespace
                       hood->height(start[0], start[1]);
     const std::string                sliding = "*max(0, t - 1)";
     const std::array<std::string, 3> motion  = {
-       {text(slide[0]) + sliding,
-        text(slide[1]) + sliding,
-        "-" + text(down) + "*min(t, 1) + " + text(up) + sliding}};
+       {text_of(slide[0]) + sliding,
+        text_of(slide[1]) + sliding,
+        "-" + text_of(down) + "*min(t, 1) + " + text_of(up) + sliding}};
 
     InterfaceParameters contact;
     contact.name                      = "dummy";
@@ -327,7 +308,7 @@ namespace
         {
           const Ellipsoid &e = parts[i];
           AssertThrow(layer < std::min({e.axes[0], e.axes[1], e.axes[2]}),
-                      ExcMessage("'Dummy/Foam thickness' is " + text(layer) +
+                      ExcMessage("'Dummy/Foam thickness' is " + text_of(layer) +
                                  "; expected less than the semi-axes of the "
                                  "parts."));
           BodyParameters body;
@@ -388,21 +369,7 @@ namespace
     read_run(prm, scene);
     scene.steps.times_to_meet.push_back(1.);
     check_scene(scene);
-
-    std::ostringstream out;
-    prm.print_parameters(out, ParameterHandler::ShortText);
-    used = out.str();
     return scene;
-  }
-
-  std::string
-  defaults()
-  {
-    ParameterHandler prm;
-    declare(prm);
-    std::ostringstream out;
-    prm.print_parameters(out, ParameterHandler::PRM);
-    return out.str();
   }
 } // namespace
 
@@ -410,10 +377,12 @@ namespace
 int
 main(int argc, char **argv)
 {
-  Structure::Driver driver;
-  driver.name        = "dummy_on_hood";
-  driver.description = "A dummy is pressed on a car's hood and slid along it.";
-  driver.read        = read_placement;
-  driver.defaults    = defaults;
-  return Structure::run_driver(driver, argc, argv);
+  return Structure::run_driver(
+    Structure::make_driver(
+      "dummy_on_hood",
+      "A dummy is pressed on a car's hood and slid along it.",
+      declare,
+      read_placement),
+    argc,
+    argv);
 }

@@ -6,11 +6,11 @@
 
 #include "structure/driver.h"
 #include "structure/material.h"
+#include "structure/numbers_of.h"
 
 #include <deal.II/base/patterns.h>
 #include <deal.II/base/utilities.h>
 
-#include <sstream>
 
 namespace
 {
@@ -21,7 +21,6 @@ namespace
   {
     const Patterns::Double positive(1e-300);
     const Patterns::List   three(Patterns::Integer(1), 3, 3);
-    prm.declare_entry("Driver", "rubber_fit", Patterns::Anything(), "");
     prm.enter_subsection("Rubber");
     prm.declare_entry("Inner radius",
                       "12.0",
@@ -110,28 +109,10 @@ namespace
     return result;
   }
 
-  std::string
-  formula(const double x)
-  {
-    std::ostringstream out;
-    out.precision(17);
-    out << x;
-    return out.str();
-  }
-
   /// The two rings and what holds them, as a scene.
   Scene
-  read_fit(const SceneSource &source, std::string &used)
+  read_fit(ParameterHandler &prm)
   {
-    {
-      ParameterHandler prm;
-      prm.declare_entry("Driver", "", Patterns::Anything());
-      parse(prm, source, true);
-    }
-    ParameterHandler prm;
-    declare(prm);
-    parse(prm, source, false);
-
     Scene          scene;
     BodyParameters rubber, seat;
     rubber.name = "rubber";
@@ -167,13 +148,13 @@ namespace
     prm.leave_subsection();
 
     AssertThrow(outer > inner,
-                ExcMessage("'Rubber/Outer radius' is " + formula(outer) +
+                ExcMessage("'Rubber/Outer radius' is " + text_of(outer) +
                            "; expected more than 'Rubber/Inner radius', " +
-                           formula(inner) + "."));
+                           text_of(inner) + "."));
     AssertThrow(bore > inner,
-                ExcMessage("'Seat/Radius' is " + formula(bore) +
+                ExcMessage("'Seat/Radius' is " + text_of(bore) +
                            "; expected more than 'Rubber/Inner radius', " +
-                           formula(inner) + "."));
+                           text_of(inner) + "."));
 
     for (BodyParameters *body : {&rubber, &seat})
       {
@@ -181,12 +162,12 @@ namespace
         body->mesh.last_angle = angle;
       }
     rubber.mesh.length       = length;
-    rubber.mesh.inner_radius = formula(inner);
-    rubber.mesh.outer_radius = formula(outer) + "+" + formula(bulge) +
-                               "*cos(pi*(z/" + formula(length) + "-0.5))^2";
+    rubber.mesh.inner_radius = text_of(inner);
+    rubber.mesh.outer_radius = text_of(outer) + "+" + text_of(bulge) +
+                               "*cos(pi*(z/" + text_of(length) + "-0.5))^2";
     seat.mesh.length       = seat_length;
-    seat.mesh.inner_radius = formula(bore);
-    seat.mesh.outer_radius = formula(bore + wall);
+    seat.mesh.inner_radius = text_of(bore);
+    seat.mesh.outer_radius = text_of(bore + wall);
     seat.mesh.move         = {0., 0., 0.5 * (length - seat_length)};
     scene.bodies           = {rubber, seat};
 
@@ -206,8 +187,8 @@ namespace
       condition("shaft", "rubber", {2}, Type::displacement);
     bond.values = {{"0",
                     "0",
-                    formula(shaft) + "*max(0,t-" + formula(removal_time) +
-                      ")/" + formula(removal_time)}};
+                    text_of(shaft) + "*max(0,t-" + text_of(removal_time) +
+                      ")/" + text_of(removal_time)}};
     BoundaryCondition housing =
       condition("housing", "seat", {3}, Type::displacement);
     housing.values   = {{"0", "0", "0"}};
@@ -240,21 +221,7 @@ namespace
     read_run(prm, scene);
     scene.steps.end_time = (shaft != 0. ? 2. : 1.) * removal_time;
     check_scene(scene);
-
-    std::ostringstream out;
-    prm.print_parameters(out, ParameterHandler::ShortText);
-    used = out.str();
     return scene;
-  }
-
-  std::string
-  defaults()
-  {
-    ParameterHandler prm;
-    declare(prm);
-    std::ostringstream out;
-    prm.print_parameters(out, ParameterHandler::PRM);
-    return out.str();
   }
 } // namespace
 
@@ -262,12 +229,12 @@ namespace
 int
 main(int argc, char **argv)
 {
-  Structure::Driver driver;
-  driver.name = "rubber_fit";
-  driver.description =
-    "A rubber ring relaxes out of a deep initial overlap with "
-    "its steel seat.";
-  driver.read     = read_fit;
-  driver.defaults = defaults;
-  return Structure::run_driver(driver, argc, argv);
+  return Structure::run_driver(
+    Structure::make_driver(
+      "rubber_fit",
+      "A rubber ring relaxes out of a deep initial overlap with its steel seat.",
+      declare,
+      read_fit),
+    argc,
+    argv);
 }

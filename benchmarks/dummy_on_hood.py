@@ -19,12 +19,8 @@ Roughness of the force at equal steps of the motion, while pressed / while slid:
   excess     total variation over the range, less 1 (both phases are one-way)
 Snaps of the sheets are in all of them: compare methods, not with zero.
 """
-import argparse
 import csv
-import json
 import os
-import subprocess
-import sys
 
 import matplotlib
 
@@ -32,7 +28,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
-ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+from run_driver import ROOT, parser, run
 
 METHODS = {
     "segments": ["Contact/Integration=segments"],
@@ -48,35 +44,14 @@ FINE = ["Hood/Panel cells=60, 72", "Dummy/Facet size=5"] + TIGHT
 WINDOW = 7
 
 
-def run(name, settings, arguments):
-    """One run. Returns its summary, history and whether it finished."""
-    folder = os.path.join(arguments.output, name.replace(" ", "_"))
-    command = ["mpirun", "-np", str(arguments.ranks)]
-    command += [os.path.join(arguments.build, "dummy_on_hood"), arguments.file]
-    command += ["--quiet", "--output", folder]
-    # equal samples, whatever the steps between
+def sampled(name, settings, arguments):
+    """One run at equal samples, whatever the steps between: summary and history."""
     times = ", ".join(f"{arguments.sample * i:.10g}" for i in range(1, 1000)
                       if arguments.sample * i < 2.0)
-    for setting in [f"Steps/Times to meet={times}", "Output/Every=0"]:
-        command += ["--set", setting]
-    for setting in arguments.set + settings:
-        command += ["--set", setting]
-    environment = dict(os.environ, OMP_NUM_THREADS="1")
-    environment.setdefault("OMPI_ALLOW_RUN_AS_ROOT", "1")
-    environment.setdefault("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1")
-    code = subprocess.run(command, env=environment, stdout=subprocess.DEVNULL).returncode
-    if code not in (0, 2):
-        sys.exit(f"{name}: exit code {code}: {' '.join(command)}")
-    with open(os.path.join(folder, "summary.json")) as file:
-        summary = json.load(file)
+    settings = [f"Steps/Times to meet={times}", "Output/Every=0"] + settings
+    summary, folder = run("dummy_on_hood", arguments.file, name, settings, arguments)
     with open(os.path.join(folder, "history.csv"), newline="") as file:
-        rows = list(csv.DictReader(file))
-    print(
-        f"{name}: {summary['status']}, {summary['newton_iterations']} iterations, "
-        f"{summary['cut_backs']} cut-backs, {summary['wall_seconds']:.1f} s",
-        flush=True,
-    )
-    return summary, rows
+        return summary, list(csv.DictReader(file))
 
 
 def curve(rows, sample):
@@ -120,32 +95,26 @@ def error(curve_of_run, reference):
 
 
 def main():
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
-    parser.add_argument("--file", default=os.path.join(ROOT, "prm/dummy_on_hood.prm"))
-    parser.add_argument("--build", default=os.path.join(ROOT, "build"))
-    parser.add_argument("--output", default=os.path.join(ROOT, "output/hood_methods"))
-    parser.add_argument("--repeat", type=int, default=1)
-    parser.add_argument("--ranks", type=int, default=2)
-    parser.add_argument("--sample", type=float, default=0.05, help="time between samples")
-    parser.add_argument("--reference", action="store_true")
-    parser.add_argument("--tight", action="store_true")
-    parser.add_argument("--set", action="append", default=[])
-    arguments = parser.parse_args()
+    options = parser(__doc__, "hood_methods")
+    options.add_argument("--file", default=os.path.join(ROOT, "prm/dummy_on_hood.prm"))
+    options.add_argument("--repeat", type=int, default=1)
+    options.add_argument("--sample", type=float, default=0.05, help="time between samples")
+    options.add_argument("--reference", action="store_true")
+    options.add_argument("--tight", action="store_true")
+    arguments = options.parse_args()
     os.makedirs(arguments.output, exist_ok=True)
 
     results, seconds = {}, {name: [] for name in METHODS}
     for _ in range(arguments.repeat):
         for name, settings in METHODS.items():
-            results[name] = run(name, settings, arguments)
+            results[name] = sampled(name, settings, arguments)
             seconds[name].append(results[name][0]["wall_seconds"])
     reference = tight = None
     if arguments.reference:
-        reference = curve(run("reference", FINE, arguments)[1], arguments.sample)
+        reference = curve(sampled("reference", FINE, arguments)[1], arguments.sample)
     if arguments.tight:
         tight = {
-            name: curve(run(f"{name} tight", settings + TIGHT, arguments)[1], arguments.sample)
+            name: curve(sampled(f"{name} tight", settings + TIGHT, arguments)[1], arguments.sample)
             for name, settings in METHODS.items()
         }
 

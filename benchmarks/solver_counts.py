@@ -6,23 +6,18 @@ Usage: benchmarks/solver_counts.py [--ranks N] [--output DIR] [--set "Section/En
 Each number is the mean over the Newton iterations of the first two steps, to the
 tolerance that the drivers use with pressures as unknowns.
 """
-import argparse
-import json
 import os
-import subprocess
 
-ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+from run_driver import ROOT, parser, run
+
+FILE = os.path.join(ROOT, "prm/rubber_fit.prm")
 RATIOS = ["0.45", "0.49", "0.499", "0.4999"]
 MESHES = {"16, 7, 20": "14, 3, 18", "31, 10, 23": "17, 4, 10", "46, 15, 34": "25, 6, 15"}
 SCALES = ["2", "20", "200"]
 
 
 def count(ratio, rubber, seat, scale, arguments):
-    folder = os.path.join(arguments.output, "run")
-    command = ["mpirun", "-np", str(arguments.ranks)]
-    command += [os.path.join(arguments.build, "rubber_fit")]
-    command += [os.path.join(ROOT, "prm/rubber_fit.prm"), "--quiet", "--output", folder]
-    for setting in [
+    settings = [
         "Solver/Linear/Type=iterative",
         "Steps/First step=0.05",
         "Steps/Largest step=0.05",
@@ -32,30 +27,17 @@ def count(ratio, rubber, seat, scale, arguments):
         f"Seat/Cells={seat}",
         f"Rubber/Poisson's ratio={ratio}",
         f"Contact/Stiffness scale={scale}",
-    ] + arguments.set:
-        command += ["--set", setting]
-    environment = dict(os.environ, OMP_NUM_THREADS="1")
-    environment.setdefault("OMPI_ALLOW_RUN_AS_ROOT", "1")
-    environment.setdefault("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1")
-    code = subprocess.run(command, env=environment, stdout=subprocess.DEVNULL).returncode
-    if code != 0:
-        return f"(code {code})"
-    with open(os.path.join(folder, "summary.json")) as file:
-        summary = json.load(file)
+    ]
+    summary, _ = run("rubber_fit", FILE, "run", settings, arguments)
+    if summary["status"] != "finished":
+        return summary["status"]
     mean = summary["linear_iterations"] / summary["newton_iterations"]
     failed = f", {summary['cut_backs']} cut-backs" if summary["cut_backs"] else ""
     return f"{mean:.0f} ({summary['newton_iterations']}{failed})"
 
 
 def main():
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
-    parser.add_argument("--build", default=os.path.join(ROOT, "build"))
-    parser.add_argument("--output", default=os.path.join(ROOT, "output/solver_counts"))
-    parser.add_argument("--ranks", type=int, default=2)
-    parser.add_argument("--set", action="append", default=[])
-    arguments = parser.parse_args()
+    arguments = parser(__doc__, "solver_counts").parse_args()
     os.makedirs(arguments.output, exist_ok=True)
     lines = ["Linear iterations per Newton iteration (Newton iterations of two steps)", ""]
     lines += ["| cells of the rubber | contact scale | " + " | ".join(RATIOS) + " |"]

@@ -88,6 +88,47 @@ namespace Structure
   } // namespace
 
 
+  Driver
+  make_driver(const std::string                              &name,
+              const std::string                              &description,
+              const std::function<void(ParameterHandler &)>  &declare,
+              const std::function<Scene(ParameterHandler &)> &read)
+  {
+    const auto declare_all = [name, declare](ParameterHandler &prm) {
+      prm.declare_entry("Driver", name, Patterns::Anything(), "");
+      declare(prm);
+    };
+    Driver driver;
+    driver.name        = name;
+    driver.description = description;
+    driver.read        = [declare_all, read](const SceneSource &source,
+                                      std::string       &used) {
+      {
+        // a file of another driver, before its entries are found unknown
+        ParameterHandler prm;
+        prm.declare_entry("Driver", "", Patterns::Anything());
+        parse(prm, source, true);
+      }
+      ParameterHandler prm;
+      declare_all(prm);
+      parse(prm, source, false);
+      const Scene        scene = read(prm);
+      std::ostringstream out;
+      prm.print_parameters(out, ParameterHandler::ShortText);
+      used = out.str();
+      return scene;
+    };
+    driver.defaults = [declare_all]() {
+      ParameterHandler prm;
+      declare_all(prm);
+      std::ostringstream out;
+      prm.print_parameters(out, ParameterHandler::PRM);
+      return out.str();
+    };
+    return driver;
+  }
+
+
   int
   run_driver(const Driver &driver, int argc, char **argv)
   {

@@ -23,6 +23,16 @@ namespace Structure
   };
 
   /**
+   * A driver whose entries can all be declared beforehand; 'Driver' itself is
+   * declared and checked here.
+   */
+  Driver
+  make_driver(const std::string                              &name,
+              const std::string                              &description,
+              const std::function<void(ParameterHandler &)>  &declare,
+              const std::function<Scene(ParameterHandler &)> &read);
+
+  /**
    * The main function of all drivers: command line, reading, running, errors.
    *   APP FILE.prm [--set "Section/Entry=value"]... [--output DIR]
    *     [--restart DIR] [--print-parameters] [--check] [--quiet] [--help]

@@ -47,7 +47,6 @@ namespace Structure
   {
     kernel.mu           = body.material->shear_modulus;
     kernel.bulk         = body.material->bulk_modulus;
-    kernel.lambda       = kernel.bulk - 2. / 3. * kernel.mu;
     kernel.has_pressure = body.mean_dilatation;
 
     std::vector<types::global_dof_index> dofs;
@@ -259,6 +258,8 @@ namespace Structure
     const bool   unknown      = kernel.has_pressure && pressures.are_on;
     const double share =
       unknown ? std::min(kernel.bulk, bulk_in_matrix * kernel.mu) : kernel.bulk;
+    const types::global_dof_index first_row =
+      unknown ? pressures.owned.nth_index_in_set(0) + first_pressure : 0;
     const double     *u_values = u.begin();
     double           *rhs      = target.rhs.begin();
     double           *internal = target.internal.begin();
@@ -347,12 +348,7 @@ namespace Structure
             pressures.schur.begin()[p]     = V / left + V / (kernel.mu + share);
             pressures.in_matrix.begin()[p] = share / V;
             pressures.scale.begin()[p]     = kernel.mu / std::cbrt(V);
-            set_derivative(cell,
-                           out,
-                           l,
-                           pressures.owned.nth_index_in_set(p),
-                           target,
-                           pressures);
+            set_derivative(cell, out, l, first_row + c, target, pressures);
           }
       }
     return "";

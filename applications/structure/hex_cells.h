@@ -61,8 +61,7 @@ namespace Structure
       bool is_plain = false; ///< And none is constrained.
     };
 
-    /// Dofs of a cell that stay after the constraints, with their weights on
-    /// the cell's dofs: [dof][entry].
+    /// What a dof is after the constraints: a sum of other dofs, by weights.
     using Entries = std::vector<std::pair<types::global_dof_index, double>>;
     static void
     resolve(const types::global_dof_index    dof,

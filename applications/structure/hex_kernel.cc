@@ -65,7 +65,8 @@ namespace Structure
                    HexKernel::Result      &out)
     {
       constexpr unsigned int n_q = 8, n = HexKernel::n_nodes;
-      const Lanes            zero = {};
+      const Lanes            zero   = {};
+      const double           lambda = law.bulk - 2. / 3. * law.mu;
 
       // Step 1: gradients by undeformed positions, weights, F, volumes.
       Lanes G[n_q][n][3], F[n_q][3][3], w[n_q], J[n_q];
@@ -168,9 +169,9 @@ namespace Structure
               for (unsigned int l = 0; l < HexKernel::width; ++l)
                 log_J[l] = std::log(J[q][l]);
               for (unsigned int i = 0; i < 3; ++i)
-                tau[i][i] += law.lambda * log_J - law.mu;
-              c1 = law.mu - law.lambda * log_J;
-              c2 = zero + law.lambda;
+                tau[i][i] += lambda * log_J - law.mu;
+              c1 = law.mu - lambda * log_J;
+              c2 = zero + lambda;
             }
 
           Lanes       t[n][3]; // tau_iso g_a, without the spherical part
@@ -217,9 +218,16 @@ namespace Structure
     }
 
 
-    // One version per instruction set; the machine picks one at the start.
-    // Calls with constants drop what is not asked.
-    __attribute__((target_clones("avx512f", "avx2,fma", "default"))) void
+    // One version per instruction set, where compiler and machine can pick one
+    // at the start. Calls with constants drop what is not asked.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#  define MORTAR_CONTACT_CLONES \
+    __attribute__((target_clones("avx512f", "avx2,fma", "default")))
+#else
+#  define MORTAR_CONTACT_CLONES
+#endif
+
+    MORTAR_CONTACT_CLONES void
     evaluate_tangent(const HexKernel        &law,
                      const HexKernel::Cells &cells,
                      const bool              stored,
@@ -229,7 +237,7 @@ namespace Structure
     }
 
 
-    __attribute__((target_clones("avx512f", "avx2,fma", "default"))) void
+    MORTAR_CONTACT_CLONES void
     evaluate_forces(const HexKernel        &law,
                     const HexKernel::Cells &cells,
                     const bool              stored,
@@ -237,6 +245,7 @@ namespace Structure
     {
       evaluate_cells(law, cells, stored, false, result);
     }
+#undef MORTAR_CONTACT_CLONES
 #undef MORTAR_CONTACT_INLINE
   } // namespace
 

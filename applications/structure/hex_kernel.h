@@ -20,16 +20,15 @@ namespace Structure
     /// Pairs of nodes a <= b, in the order (0,0), (0,1), ... (1,1), ...
     static constexpr unsigned int n_pairs = 36;
 
-    double mu = 0., lambda = 0.; ///< Lame's constants at F = 1 [Pa].
+    double mu = 0., bulk = 0.; ///< Moduli at F = 1: shear, K [Pa].
 
     /**
-     * The law: W = mu/2 (J^(-2/3) tr b - 3) V + p (v - V) + ..., with the
-     * cell's pressure p [Pa, positive in tension] and its volume v; else the
-     * neo-Hookean mu/2 (tr b - 3 - 2 ln J) + lambda/2 (ln J)^2.
+     * The law, b = F F^T: mu/2 (J^(-2/3) tr b - 3) and a pressure p [Pa,
+     * positive in tension] that is the same in the whole cell, of volumes V
+     * before and v now, in equilibrium p = K (v/V - 1); else the neo-Hookean
+     * mu/2 (tr b - 3 - 2 ln J) + lambda/2 (ln J)^2, lambda = K - 2 mu/3.
      */
     bool has_pressure = false;
-
-    double bulk = 0.; ///< K [Pa], of the pressure K (v/V - 1).
 
     /// What is known of the cells; nodes in deal.II's order.
     struct Cells

@@ -7,11 +7,7 @@
 
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_gmres.h>
-#include <deal.II/lac/trilinos_precondition.h>
 #include <deal.II/lac/trilinos_solver.h>
-
-#include <Epetra_MultiVector.h>
-#include <Teuchos_ParameterList.hpp>
 
 #include <algorithm>
 
@@ -68,24 +64,8 @@ namespace Structure
   {
     // it refers to the matrix, whose values may change
     model.before_new_matrix = [this]() { multigrid.reset(); };
-    TrilinosWrappers::PreconditionAMG::AdditionalData data;
-    data.elliptic              = true;
-    data.aggregation_threshold = 0.02;
-    data.smoother_sweeps       = 2;
-    Teuchos::ParameterList              list;
-    std::unique_ptr<Epetra_MultiVector> modes;
-    data.set_parameters(list, modes, model.matrix);
-    const auto rigid = model.rigid_body_modes();
-    modes            = std::make_unique<Epetra_MultiVector>(
-      model.matrix.trilinos_matrix().DomainMap(), rigid.size());
-    for (unsigned int m = 0; m < rigid.size(); ++m)
-      for (unsigned int i = 0; i < rigid[m].size(); ++i)
-        (*modes)[m][i] = rigid[m][i];
-    list.set("null space: type", "pre-computed");
-    list.set("null space: dimension", modes->NumVectors());
-    list.set("null space: vectors", modes->Values());
-    multigrid = std::make_unique<TrilinosWrappers::PreconditionAMG>();
-    multigrid->initialize(model.matrix, list);
+    multigrid =
+      std::make_unique<Multigrid>(model.matrix, model.rigid_body_modes());
     multigrid_iterations = 0;
   }
 
@@ -99,7 +79,9 @@ namespace Structure
       {
         result.method = "FGMRES";
         // an old hierarchy serves until it costs more than a new one
-        if (!multigrid)
+        if (multigrid)
+          multigrid->update();
+        else
           make_multigrid(model);
         for (bool again = true; again;)
           {

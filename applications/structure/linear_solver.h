@@ -4,10 +4,9 @@
 
 #include "direct_solver.h"
 #include "model.h"
+#include "multigrid.h"
 
 #include <deal.II/base/parameter_handler.h>
-
-#include <deal.II/lac/trilinos_precondition.h>
 
 #include <memory>
 #include <string>
@@ -77,7 +76,7 @@ namespace Structure
     const LinearSolverParameters parameters;
     DirectSolver                 direct;
 
-    std::unique_ptr<TrilinosWrappers::PreconditionAMG> multigrid;
+    std::unique_ptr<Multigrid> multigrid;
     unsigned int multigrid_iterations = 0; ///< Of its first solve; 0: none yet.
   };
 } // namespace Structure

@@ -3,7 +3,6 @@
 
 #include <deal.II/lac/solver_gmres.h>
 #include <deal.II/lac/trilinos_parallel_block_vector.h>
-#include <deal.II/lac/trilinos_precondition.h>
 
 #include <Epetra_CrsMatrix.h>
 #include <Epetra_FEVector.h>
@@ -16,7 +15,7 @@ namespace Structure
   {
     using Block = TrilinosWrappers::MPI::BlockVector;
 
-    /// The matrix, with rows divided by `weights`.
+    /// The matrix, with rows multiplied by `weights`.
     struct MixedMatrix
     {
       const Matrix_t         &A;
@@ -38,10 +37,9 @@ namespace Structure
     };
 
 
-    template <typename Preconditioner>
     struct MixedPreconditioner
     {
-      const Preconditioner   &of_A;
+      const Multigrid        &of_A;
       const PressureUnknowns &pressures;
       const Block            &inverse_weights;
       const Vector_t         &inverse_schur; ///< -1/S
@@ -64,15 +62,14 @@ namespace Structure
   } // namespace
 
 
-  template <typename Preconditioner>
   MixedSolve
-  solve_mixed(const Matrix_t       &matrix,
-              const Preconditioner &preconditioner,
-              const Vector_t       &residual,
-              PressureUnknowns     &pressures,
-              Vector_t             &x,
-              const double          tolerance,
-              const unsigned int    max_iterations)
+  solve_mixed(const Matrix_t    &matrix,
+              const Multigrid   &multigrid,
+              const Vector_t    &residual,
+              PressureUnknowns  &pressures,
+              Vector_t          &x,
+              const double       tolerance,
+              const unsigned int max_iterations)
   {
     // Step 1: weights 1/sqrt(A_ii), 1/sqrt(S): residuals in the norm of the
     // energy. In forces, the stiffest body would hide the others.
@@ -112,14 +109,10 @@ namespace Structure
     solution.reinit(rhs);
 
     // Step 3: solve.
-    const MixedMatrix A{matrix, pressures, weights, volume};
-    const MixedPreconditioner<Preconditioner> P{preconditioner,
-                                                pressures,
-                                                inverse_weights,
-                                                inverse_schur,
-                                                volume,
-                                                residual};
-    MixedSolve                                result;
+    const MixedMatrix         A{matrix, pressures, weights, volume};
+    const MixedPreconditioner P{
+      multigrid, pressures, inverse_weights, inverse_schur, volume, residual};
+    MixedSolve    result;
     SolverControl control(max_iterations, tolerance * rhs.l2_norm());
     try
       {
@@ -140,14 +133,4 @@ namespace Structure
     pressures.update += solution.block(1);
     return result;
   }
-
-
-  template MixedSolve
-  solve_mixed(const Matrix_t &,
-              const TrilinosWrappers::PreconditionAMG &,
-              const Vector_t &,
-              PressureUnknowns &,
-              Vector_t &,
-              const double,
-              const unsigned int);
 } // namespace Structure

@@ -3,6 +3,7 @@
 #define mortar_contact_structure_mixed_solver_h
 
 #include "cell_batches.h"
+#include "multigrid.h"
 
 namespace Structure
 {
@@ -21,22 +22,21 @@ namespace Structure
    * infinite one.
    *
    * @param matrix A.
-   * @param preconditioner P: vmult() is close to the inverse of A.
+   * @param multigrid Whose V-cycle is the inverse of P.
    * @param residual r.
    * @param pressures Takes the update of the pressures.
    * @param x Takes du; the start is zero.
    * @param tolerance Residual over right-hand side, both in the norm of the
    *                  diagonal's inverse [-].
    */
-  template <typename Preconditioner>
   MixedSolve
-  solve_mixed(const Matrix_t       &matrix,
-              const Preconditioner &preconditioner,
-              const Vector_t       &residual,
-              PressureUnknowns     &pressures,
-              Vector_t             &x,
-              const double          tolerance,
-              const unsigned int    max_iterations);
+  solve_mixed(const Matrix_t    &matrix,
+              const Multigrid   &multigrid,
+              const Vector_t    &residual,
+              PressureUnknowns  &pressures,
+              Vector_t          &x,
+              const double       tolerance,
+              const unsigned int max_iterations);
 } // namespace Structure
 
 #endif

@@ -62,7 +62,7 @@ namespace Structure
     /// @param with_pressures Pressures of nearly incompressible cells may be
     ///                       unknowns.
     void
-    setup(const bool with_pressures = false);
+    setup(const bool with_pressures);
 
     types::global_dof_index
     n_dofs() const

@@ -11,7 +11,8 @@ namespace Structure
 {
   namespace
   {
-    /// Forces below this times (stiffness x area of the scene) are none.
+    /// Forces below this times Body::force_scale(), the largest of all bodies,
+    /// are none.
     constexpr double force_floor = 1e-12;
 
     /// Motions below this times the size of the scene are none.
@@ -31,11 +32,11 @@ namespace Structure
     constexpr double update_round_off   = 1e-11;
     constexpr double residual_round_off = 1e-6;
 
-    /// So it is where forces are below this times (stiffness x area of the
-    /// scene): stresses of bodies that move without strain.
+    /// So it is where forces are below this times that force scale: stresses of
+    /// bodies that move without strain.
     constexpr double stress_round_off = 1e-13;
 
-    /// Forces below this times (stiffness x area of the scene) are round-off,
+    /// Forces below this times that force scale are round-off,
     /// where they have stopped falling: those of ties and of stiff bodies that
     /// only begin to be touched by something soft.
     constexpr double force_round_off = 2.2e-16, stagnating = 0.5;

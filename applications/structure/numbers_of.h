@@ -4,6 +4,7 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,16 @@ namespace Structure
   {
     return dealii::Utilities::string_to_double(
       dealii::Utilities::split_string_list(list));
+  }
+
+  /// A number as part of a formula.
+  inline std::string
+  text_of(const double x)
+  {
+    std::ostringstream out;
+    out.precision(17);
+    out << x;
+    return out.str();
   }
 } // namespace Structure
 

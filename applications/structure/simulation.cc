@@ -560,15 +560,16 @@ namespace Structure
                   "No convergence: the step fell below 'Smallest step', " +
                   number(s.smallest) + ". Last good state: time " +
                   number(time) + ".");
-                // contact shows the last good state again; reactions are static
-                model.integration.dt = 0.;
-                (void)model.assemble(u, time, false);
+                show_last_state();
                 write_checkpoint();
                 write_summary("no convergence");
                 return no_convergence;
               }
-            if (stops_by_signal())
-              return stopped;
+            if (stop_is_requested(communicator))
+              {
+                show_last_state();
+                return stop_run();
+              }
             continue;
           }
 
@@ -613,8 +614,8 @@ namespace Structure
         cut_backs_of_step = 0;
         if (after_step)
           after_step(*this);
-        if (!is_last && stops_by_signal())
-          return stopped;
+        if (!is_last && stop_is_requested(communicator))
+          return stop_run();
       }
     write_summary("finished");
     log.line("Finished: " + std::to_string(step) + " steps, " +
@@ -627,17 +628,24 @@ namespace Structure
 
 
   template <int dim>
-  bool
-  Simulation<dim>::stops_by_signal()
+  void
+  Simulation<dim>::show_last_state()
   {
-    if (!stop_is_requested(communicator))
-      return false;
+    model.integration.dt = 0.; // reactions are static
+    (void)model.assemble(u, time, false);
+  }
+
+
+  template <int dim>
+  ExitCode
+  Simulation<dim>::stop_run()
+  {
     write_checkpoint();
     write_summary("stopped");
     log.line("Stopped by a signal after step " + std::to_string(step) +
              ", time " + number(time) + ". Continue with --restart " +
              output.directory + ".");
-    return true;
+    return stopped;
   }
 
 

@@ -104,9 +104,14 @@ namespace Structure
     std::string
     try_step(const double new_time);
 
-    /// Save the last accepted state if a signal asks to stop.
-    bool
-    stops_by_signal();
+    /// Contact and reactions, after a rejected try, are those of the last
+    /// accepted state again.
+    void
+    show_last_state();
+
+    /// Save the last accepted state, since a signal asks to stop.
+    ExitCode
+    stop_run();
 
     void
     write_step(const double step_size, const bool is_last);

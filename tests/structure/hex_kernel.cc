@@ -46,7 +46,6 @@ TEST(HexKernel, EqualsTheElement)
       HexKernel kernel;
       kernel.mu           = body->material->shear_modulus;
       kernel.bulk         = body->material->bulk_modulus;
-      kernel.lambda       = kernel.bulk - 2. / 3. * kernel.mu;
       kernel.has_pressure = mean;
 
       std::mt19937                           random(7);
