@@ -35,6 +35,7 @@ mpirun -np "$ranks" "$root/build/$driver" "$@" || status=$?
 case "$driver" in
   rubber_fit) pictures=pictures.py ;;
   dummy_on_hood) pictures=hood_pictures.py ;;
+  shell_leaflet) pictures=valve_pictures.py ;;
   *) pictures= ;;
 esac
 if [ "$status" = 0 ] && [ -n "$pictures" ]; then

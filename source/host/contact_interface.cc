@@ -521,11 +521,14 @@ namespace MortarContact
   ContactInterface<dim>::commit(const double time)
   {
     unsigned int n_released = 0;
-    for (const auto &sweep : sweeps)
+    for (unsigned int i = 0; i < sweeps.size(); ++i)
       {
+        const auto               &sweep  = sweeps[i];
+        const std::vector<char>   behind = pairs_behind(*sweep, i);
         std::vector<unsigned int> released;
         if (parameters.release == ContactParameters::Release::report)
-          released = sweep->too_deep(deepest_share());
+          released = sweep->too_deep(deepest_share(), behind);
+        sweep->set_aside(behind);
         n_released += released.size();
         sweep->commit(parameters.initial_penetration ==
                         InitialPenetration::track,

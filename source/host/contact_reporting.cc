@@ -79,6 +79,47 @@ namespace MortarContact
 
 
   template <int dim>
+  std::vector<char>
+  ContactInterface<dim>::pairs_behind(const ContactSweep<dim> &sweep,
+                                      const unsigned int       i) const
+  {
+    // where rigid bodies were is not known
+    if (!rigid_bodies.empty() || committed_values.empty() ||
+        sweep.too_deep(deepest_share()).empty())
+      return {};
+    std::array<std::vector<double>, 2> motion; ///< Largest of each facet.
+    for (unsigned int role = 0; role < 2; ++role)
+      {
+        const ContactSurface<dim> &surface = surfaces[side_of(i, role)];
+        const auto                 before  = surface.moved([&](const auto dof) {
+          return committed_values
+            [std::lower_bound(dofs.begin(), dofs.end(), dof) - dofs.begin()];
+        });
+        for (unsigned int f = 0; f < before.size(); ++f)
+          {
+            const Facet<dim> &now  = surface.skin.facets[f].current;
+            double            most = 0.;
+            for (unsigned int a = 0; a < now.n_vertices; ++a)
+              most = std::max(most, (now.x[a] - before[f].x[a]).norm());
+            motion[role].push_back(most);
+          }
+      }
+    std::vector<char> behind;
+    for (const auto &pair : sweep.active_pairs())
+      {
+        const PairBlock<dim> &block = pair.block;
+        const double          share = deepest_share();
+        const double          lost =
+          block.penetration * (1. - share / block.relative_penetration);
+        behind.push_back(block.relative_penetration > share &&
+                         motion[0][pair.secondary] + motion[1][pair.primary] <
+                           lost);
+      }
+    return behind;
+  }
+
+
+  template <int dim>
   void
   ContactInterface<dim>::make_report()
   {
@@ -91,20 +132,25 @@ namespace MortarContact
       {
         const ContactSweep<dim> &sweep   = *sweeps[i];
         const auto              &counts  = sweep.counts();
-        const double             added[] = {double(sweep.candidates().size()),
-                                            double(counts.active),
-                                            double(counts.open),
-                                            double(counts.apart),
-                                            double(counts.beyond),
-                                            double(counts.degenerate),
-                                            double(sweep.too_deep(deepest_share()).size())};
+        const std::vector<char>  behind  = pairs_behind(sweep, i);
+        const double             added[] = {
+                      double(sweep.candidates().size()),
+                      double(counts.active),
+                      double(counts.open),
+                      double(counts.apart),
+                      double(counts.beyond),
+                      double(counts.degenerate),
+                      double(sweep.too_deep(deepest_share(), behind).size())};
         for (unsigned int k = 0; k < 7; ++k)
           sums[k] += added[k];
         maxima[2] = std::max(maxima[2], -counts.smallest_gap);
         maxima[3] = std::max(maxima[3], counts.overlap);
-        for (const auto &pair : sweep.active_pairs())
+        for (std::size_t k = 0; k < sweep.active_pairs().size(); ++k)
           {
+            const auto           &pair  = sweep.active_pairs()[k];
             const PairBlock<dim> &block = pair.block;
+            if (!behind.empty() && behind[k])
+              continue;
             sums[7] += block.active_area;
             sums[8] += block.energy;
             sums[9] += block.penetration_volume;

@@ -189,6 +189,56 @@ namespace MortarContact
           if (filter.may_touch(f, p))
             pairs.emplace_back(f, p);
       }
+    drop_pairs_aside();
+  }
+
+
+  template <int dim>
+  void
+  ContactSweep<dim>::drop_pairs_aside()
+  {
+    if (history.aside.empty())
+      return;
+    pairs.erase(std::remove_if(pairs.begin(),
+                               pairs.end(),
+                               [&](const auto &pair) {
+                                 return std::binary_search(
+                                   history.aside.begin(),
+                                   history.aside.end(),
+                                   pair);
+                               }),
+                pairs.end());
+  }
+
+
+  template <int dim>
+  void
+  ContactSweep<dim>::set_aside(const std::vector<char> &active_pairs)
+  {
+    std::vector<std::pair<unsigned int, unsigned int>> aside;
+    for (std::size_t k = 0; k < active_pairs.size(); ++k)
+      if (active_pairs[k])
+        aside.emplace_back(active[k].secondary, active[k].primary);
+    for (const auto &[s, p] : history.aside)
+      {
+        const SecondaryFrame<dim> frame(secondary.facets[s].current);
+        PairBlock<dim>            block;
+        kernel.evaluate_segments(frame,
+                                 secondary.facets[s],
+                                 {},
+                                 primary.facets[p],
+                                 nullptr,
+                                 weight,
+                                 false,
+                                 block);
+        if (block.is_active())
+          aside.emplace_back(s, p);
+        else
+          searched_s.clear(); // it may be a candidate again: search
+      }
+    std::sort(aside.begin(), aside.end());
+    history.aside = aside;
+    drop_pairs_aside();
   }
 
 
@@ -662,13 +712,15 @@ namespace MortarContact
 
   template <int dim>
   std::vector<unsigned int>
-  ContactSweep<dim>::too_deep(const double largest_share) const
+  ContactSweep<dim>::too_deep(const double             largest_share,
+                              const std::vector<char> &without) const
   {
     std::vector<unsigned int> facets;
-    for (const ActivePair &pair : active)
-      if (pair.block.relative_penetration > largest_share)
-        if (facets.empty() || facets.back() != pair.secondary)
-          facets.push_back(pair.secondary);
+    for (std::size_t k = 0; k < active.size(); ++k)
+      if (active[k].block.relative_penetration > largest_share &&
+          (without.empty() || !without[k]) &&
+          (facets.empty() || facets.back() != active[k].secondary))
+        facets.push_back(active[k].secondary);
     return facets;
   }
 

@@ -136,7 +136,10 @@ namespace MortarContact
                       "When a converged state exceeds the largest penetration: "
                       "report and drop the contact of these facets, or reject "
                       "the step and cut it back. never: the pressure grows "
-                      "without bound before it is reached.");
+                      "without bound before it is reached. Facets that come "
+                      "to lie over each other from the side, like a shell's "
+                      "top and its neighbour's bottom when their edges push "
+                      "into each other, are no contact until they part.");
     prm.declare_entry("Thickness",
                       "0.0",
                       Patterns::Double(0.),

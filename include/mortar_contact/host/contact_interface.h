@@ -327,6 +327,17 @@ namespace MortarContact
     double
     deepest_share() const;
 
+    /**
+     * Active pairs of a sweep that are deeper than the release depth without
+     * having lost their contact in this step: their facets have moved by less
+     * than what they are deeper. They have come beside each other, like a
+     * shell's top and its neighbour's bottom when the edges between them have
+     * pushed into each other, and were never in front of each other. By pair;
+     * empty: there are none.
+     */
+    std::vector<char>
+    pairs_behind(const ContactSweep<dim> &sweep, const unsigned int i) const;
+
     void
     detect_initial_penetrations();
 

@@ -117,15 +117,22 @@ namespace MortarContact
       return last_counts;
     }
 
-    /// Secondary facets whose penetration exceeds @p largest_share of l.
+    /// Secondary facets whose penetration exceeds @p largest_share of l,
+    /// @p without some active pairs.
     std::vector<unsigned int>
-    too_deep(const double largest_share) const;
+    too_deep(const double             largest_share,
+             const std::vector<char> &without = {}) const;
 
     /// Accept the present configuration: follow openings if @p track, drop the
     /// contact of the facets in @p released, re-admit released facets that have
     /// opened, keep slip and augmentation.
     void
     commit(const bool track, const std::vector<unsigned int> &released);
+
+    /// Take active pairs (by number, not 0) out of the candidates until their
+    /// facets no longer lie over each other; before commit().
+    void
+    set_aside(const std::vector<char> &active_pairs);
 
     /// Forget what was augmented since the last commit().
     void
@@ -189,6 +196,10 @@ namespace MortarContact
     /// must outlive the result.
     SecondaryState<dim>
     state_of(const unsigned int owned, FacetSlip<dim> &slip) const;
+
+    /// Candidates that are set aside are none.
+    void
+    drop_pairs_aside();
 
     bool
     is_released(const unsigned int owned) const;

@@ -4,6 +4,9 @@
 
 #include <mortar_contact/geometry/facet.h>
 
+#include <boost/serialization/utility.hpp>
+
+#include <utility>
 #include <vector>
 
 namespace MortarContact
@@ -45,6 +48,11 @@ namespace MortarContact
     /// Facets whose contact was released, until they open. Empty: none.
     std::vector<char> released;
 
+    /// Pairs that have come to lie over each other without having been in front
+    /// of each other, until they no longer do; sorted. The only state of pairs,
+    /// and of their geometry alone. Empty: none.
+    std::vector<std::pair<unsigned int, unsigned int>> aside;
+
     /// Elastic slip at the material points, components in the basis of the
     /// secondary frame, by owned facet [m]. Empty: no friction.
     std::vector<std::array<PlanePoint<dim>, max_vertices<dim>>> elastic_slip;
@@ -70,7 +78,7 @@ namespace MortarContact
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &level &released &elastic_slip &sliding &augmentation &tied
+      archive &level &released &aside &elastic_slip &sliding &augmentation &tied
         &before &share;
     }
   };
