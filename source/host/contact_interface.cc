@@ -279,6 +279,7 @@ namespace MortarContact
     last_time         = 0.;
     dissipation       = 0.;
     largest_tool_step = 1.;
+    accepted_values.clear();
     committed_values.clear();
 
     const bool is_single =
@@ -506,8 +507,11 @@ namespace MortarContact
     const double share = removal_share(parameters.initial_penetration,
                                        time,
                                        parameters.removal_time);
-    for (const auto &sweep : sweeps)
-      sweep->evaluate(share, time - committed_time, with_tangent);
+    for (unsigned int i = 0; i < sweeps.size(); ++i)
+      {
+        sweeps[i]->evaluate(share, time - committed_time, with_tangent);
+        sweeps[i]->set_aside(pairs_behind(*sweeps[i], i));
+      }
     if (tie_sweep)
       tie_sweep->evaluate(with_tangent);
     make_report();
@@ -521,14 +525,11 @@ namespace MortarContact
   ContactInterface<dim>::commit(const double time)
   {
     unsigned int n_released = 0;
-    for (unsigned int i = 0; i < sweeps.size(); ++i)
+    for (const auto &sweep : sweeps)
       {
-        const auto               &sweep  = sweeps[i];
-        const std::vector<char>   behind = pairs_behind(*sweep, i);
         std::vector<unsigned int> released;
         if (parameters.release == ContactParameters::Release::report)
-          released = sweep->too_deep(deepest_share(), behind);
-        sweep->set_aside(behind);
+          released = sweep->too_deep(deepest_share());
         n_released += released.size();
         sweep->commit(parameters.initial_penetration ==
                         InitialPenetration::track,
@@ -545,6 +546,7 @@ namespace MortarContact
     dissipation                 = last_report.dissipation;
     committed_time              = time;
     committed_values            = values;
+    accepted_values             = values;
     last_report.n_augmentations = 0;
   }
 

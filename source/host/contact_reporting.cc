@@ -84,7 +84,7 @@ namespace MortarContact
                                       const unsigned int       i) const
   {
     // where rigid bodies were is not known
-    if (!rigid_bodies.empty() || committed_values.empty() ||
+    if (!rigid_bodies.empty() || accepted_values.empty() ||
         sweep.too_deep(deepest_share()).empty())
       return {};
     std::array<std::vector<double>, 2> motion; ///< Largest of each facet.
@@ -92,7 +92,7 @@ namespace MortarContact
       {
         const ContactSurface<dim> &surface = surfaces[side_of(i, role)];
         const auto                 before  = surface.moved([&](const auto dof) {
-          return committed_values
+          return accepted_values
             [std::lower_bound(dofs.begin(), dofs.end(), dof) - dofs.begin()];
         });
         for (unsigned int f = 0; f < before.size(); ++f)
@@ -132,25 +132,20 @@ namespace MortarContact
       {
         const ContactSweep<dim> &sweep   = *sweeps[i];
         const auto              &counts  = sweep.counts();
-        const std::vector<char>  behind  = pairs_behind(sweep, i);
-        const double             added[] = {
-                      double(sweep.candidates().size()),
-                      double(counts.active),
-                      double(counts.open),
-                      double(counts.apart),
-                      double(counts.beyond),
-                      double(counts.degenerate),
-                      double(sweep.too_deep(deepest_share(), behind).size())};
+        const double             added[] = {double(sweep.candidates().size()),
+                                            double(counts.active),
+                                            double(counts.open),
+                                            double(counts.apart),
+                                            double(counts.beyond),
+                                            double(counts.degenerate),
+                                            double(sweep.too_deep(deepest_share()).size())};
         for (unsigned int k = 0; k < 7; ++k)
           sums[k] += added[k];
         maxima[2] = std::max(maxima[2], -counts.smallest_gap);
         maxima[3] = std::max(maxima[3], counts.overlap);
-        for (std::size_t k = 0; k < sweep.active_pairs().size(); ++k)
+        for (const auto &pair : sweep.active_pairs())
           {
-            const auto           &pair  = sweep.active_pairs()[k];
             const PairBlock<dim> &block = pair.block;
-            if (!behind.empty() && behind[k])
-              continue;
             sums[7] += block.active_area;
             sums[8] += block.energy;
             sums[9] += block.penetration_volume;

@@ -215,10 +215,23 @@ namespace MortarContact
   void
   ContactSweep<dim>::set_aside(const std::vector<char> &active_pairs)
   {
-    std::vector<std::pair<unsigned int, unsigned int>> aside;
+    std::vector<ActivePair> rest;
     for (std::size_t k = 0; k < active_pairs.size(); ++k)
       if (active_pairs[k])
-        aside.emplace_back(active[k].secondary, active[k].primary);
+        new_aside.emplace_back(active[k].secondary, active[k].primary);
+      else
+        rest.push_back(active[k]);
+    if (!new_aside.empty())
+      active = rest;
+  }
+
+
+  template <int dim>
+  void
+  ContactSweep<dim>::commit_pairs_aside()
+  {
+    if (history.aside.empty() && new_aside.empty())
+      return;
     for (const auto &[s, p] : history.aside)
       {
         const SecondaryFrame<dim> frame(secondary.facets[s].current);
@@ -231,13 +244,14 @@ namespace MortarContact
                                  weight,
                                  false,
                                  block);
-        if (block.is_active())
-          aside.emplace_back(s, p);
+        if (block.is_active() || block.n_beyond > 0)
+          new_aside.emplace_back(s, p);
         else
           searched_s.clear(); // it may be a candidate again: search
       }
-    std::sort(aside.begin(), aside.end());
-    history.aside = aside;
+    std::sort(new_aside.begin(), new_aside.end());
+    history.aside = new_aside;
+    new_aside.clear();
     drop_pairs_aside();
   }
 
@@ -369,6 +383,7 @@ namespace MortarContact
                               const bool   with_tangent)
   {
     active.clear();
+    new_aside.clear();
     last_counts    = {};
     last_share     = share;
     last_time_step = time_step;
@@ -712,15 +727,13 @@ namespace MortarContact
 
   template <int dim>
   std::vector<unsigned int>
-  ContactSweep<dim>::too_deep(const double             largest_share,
-                              const std::vector<char> &without) const
+  ContactSweep<dim>::too_deep(const double largest_share) const
   {
     std::vector<unsigned int> facets;
-    for (std::size_t k = 0; k < active.size(); ++k)
-      if (active[k].block.relative_penetration > largest_share &&
-          (without.empty() || !without[k]) &&
-          (facets.empty() || facets.back() != active[k].secondary))
-        facets.push_back(active[k].secondary);
+    for (const ActivePair &pair : active)
+      if (pair.block.relative_penetration > largest_share)
+        if (facets.empty() || facets.back() != pair.secondary)
+          facets.push_back(pair.secondary);
     return facets;
   }
 
@@ -884,6 +897,7 @@ namespace MortarContact
   ContactSweep<dim>::commit(const bool                       track,
                             const std::vector<unsigned int> &released)
   {
+    commit_pairs_aside();
     update_slip();
     history.augmentation = augmentation;
     history.share        = last_share;

@@ -298,3 +298,71 @@ TEST(ShellSkin, ThicknessMayVaryFromVertexToVertex)
             }
       }
 }
+
+
+// A shell's edge pushed into that of its neighbour brings the top of the one
+// over the bottom of the other, a thickness behind it: that is no contact, nor
+// the loss of one, until they have parted; contact from in front stays one.
+TEST(ShellSkin, FacesThatMeetFromTheSideAreNoContactUntilTheyPart)
+{
+  const Tensor<1, 3>  up({0., 0., 1.});
+  const Plate<3>      left(2, [](const Point<3> &x) { return x; });
+  const Plate<3>      right(2, [](const Point<3> &x) {
+    return Point<3>(x[0] + 1.01, x[1], x[2]);
+  });
+  const unsigned int  n_left = left.dof_handler.n_dofs();
+  ContactParameters   p;
+  ContactInterface<3> contact("shells", p, MPI_COMM_SELF);
+  contact.add_secondary(left.dof_handler,
+                        {{}, {}, true, false, false},
+                        left.skin(up));
+  contact.add_primary(right.dof_handler,
+                      {{}, {}, false, true, false},
+                      right.skin(up),
+                      "right",
+                      DoFNumbering(n_left));
+  contact.setup();
+
+  double     time = 0.;
+  const auto move = [&](const double x, const double z) {
+    Vector<double>                       u(n_left + right.dof_handler.n_dofs());
+    std::vector<types::global_dof_index> dofs(right.fe.dofs_per_cell);
+    for (const auto &cell : right.dof_handler.active_cell_iterators())
+      {
+        cell->get_dof_indices(dofs);
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+          {
+            const unsigned int c = right.fe.system_to_component_index(i).first;
+            u(n_left + dofs[i])  = (c == 0) ? x : (c == 2) ? z : 0.;
+          }
+      }
+    time += 1.;
+    contact.update(u, time, false);
+    return contact.advice().accept;
+  };
+
+  // beside each other, then over each other by 0.01, a thickness deep
+  EXPECT_TRUE(move(0., 0.));
+  contact.commit(time);
+  // (and beyond reach); then 0.08, and 0.04, where contact would push back
+  for (const double z : {0., 0.02, 0.06})
+    {
+      EXPECT_TRUE(move(-0.02, z));
+      EXPECT_EQ(contact.report().largest_penetration, 0.);
+      EXPECT_EQ(contact.report().force.norm(), 0.);
+      contact.commit(time);
+    }
+  // they part, and meet again from in front
+  for (const double x : {0.1, -0.3})
+    {
+      EXPECT_TRUE(move(x, 0.2));
+      contact.commit(time);
+    }
+  EXPECT_TRUE(move(-0.3, 0.09));
+  EXPECT_NEAR(contact.report().largest_penetration, 0.01, 1e-12);
+  EXPECT_NEAR(contact.report().active_area, 0.29, 1e-12);
+  EXPECT_GT(contact.report().force.norm(), 0.);
+  contact.commit(time);
+  // this contact would be lost
+  EXPECT_FALSE(move(-0.3, 0.03));
+}

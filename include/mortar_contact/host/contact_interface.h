@@ -454,8 +454,10 @@ namespace MortarContact
 
     std::vector<types::global_dof_index> dofs;   ///< Of both surfaces, sorted.
     std::vector<double>                  values; ///< Of these dofs,
-    std::vector<double>                  committed_values; ///< last accepted.
-    IndexSet                             fetched_owned;
+    std::vector<double>                  committed_values; ///< last accepted,
+    /// and at the last commit(), whatever has been fetched for that time since.
+    std::vector<double>                                       accepted_values;
+    IndexSet                                                  fetched_owned;
     std::unique_ptr<Utilities::MPI::NoncontiguousPartitioner> partitioner;
   };
 } // namespace MortarContact

@@ -117,22 +117,21 @@ namespace MortarContact
       return last_counts;
     }
 
-    /// Secondary facets whose penetration exceeds @p largest_share of l,
-    /// @p without some active pairs.
+    /// Secondary facets whose penetration exceeds @p largest_share of l.
     std::vector<unsigned int>
-    too_deep(const double             largest_share,
-             const std::vector<char> &without = {}) const;
+    too_deep(const double largest_share) const;
+
+    /// Take active pairs (by number, not 0) back: they are no contact, and from
+    /// commit() on no candidates until their facets no longer lie over each
+    /// other.
+    void
+    set_aside(const std::vector<char> &active_pairs);
 
     /// Accept the present configuration: follow openings if @p track, drop the
     /// contact of the facets in @p released, re-admit released facets that have
     /// opened, keep slip and augmentation.
     void
     commit(const bool track, const std::vector<unsigned int> &released);
-
-    /// Take active pairs (by number, not 0) out of the candidates until their
-    /// facets no longer lie over each other; before commit().
-    void
-    set_aside(const std::vector<char> &active_pairs);
 
     /// Forget what was augmented since the last commit().
     void
@@ -200,6 +199,10 @@ namespace MortarContact
     /// Candidates that are set aside are none.
     void
     drop_pairs_aside();
+
+    /// Take over pairs that were set aside, readmit those that have parted.
+    void
+    commit_pairs_aside();
 
     bool
     is_released(const unsigned int owned) const;
@@ -331,6 +334,9 @@ namespace MortarContact
     std::vector<std::pair<unsigned int, unsigned int>> pairs;
     std::vector<Facet<dim>>                            searched_s, searched_p;
     std::vector<ActivePair>                            active;
+
+    /// Set aside since the last evaluation.
+    std::vector<std::pair<unsigned int, unsigned int>> new_aside;
     Counts                                             last_counts;
   };
 } // namespace MortarContact
