@@ -330,12 +330,18 @@ namespace MortarContact
 
   template void
   ContactInterface<2>::detect_initial_penetrations();
+  template std::vector<char>
+  ContactInterface<2>::pairs_behind(const ContactSweep<2> &,
+                                    const unsigned int) const;
   template void
   ContactInterface<2>::make_report();
   template StepAdvice
   ContactInterface<2>::advice() const;
   template void
   ContactInterface<3>::detect_initial_penetrations();
+  template std::vector<char>
+  ContactInterface<3>::pairs_behind(const ContactSweep<3> &,
+                                    const unsigned int) const;
   template void
   ContactInterface<3>::make_report();
   template StepAdvice
