@@ -64,6 +64,7 @@ namespace Structure
   {
     // it refers to the matrix, whose values may change
     model.before_new_matrix = [this]() { multigrid.reset(); };
+    multigrid.reset(); // never two of them at once
     multigrid =
       std::make_unique<Multigrid>(model.matrix, model.rigid_body_modes());
     multigrid_iterations = 0;
