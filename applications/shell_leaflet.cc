@@ -132,6 +132,10 @@ namespace
     InterfaceParameters contact;
     prm.enter_subsection("Contact");
     contact.contact.read(prm);
+    AssertThrow(contact.contact.kind == MortarContact::ContactParameters().kind,
+                ExcMessage("'Contact/Kind' is '" + prm.get("Kind") +
+                           "'; expected the default: leaflets are a single "
+                           "surface, planes and wall are tools."));
     prm.leave_subsection();
     contact.secondary = {{body.name, {}}};
     if (is_one)

@@ -78,10 +78,10 @@ namespace Structure
     // where the free edge meets the tube, by bisection
     double low = 0., high = radius;
     AssertThrow(edge(0.) < radius,
-                ExcMessage("'Leaflets/Radius' is " + text_of(radius) +
+                ExcMessage("'Leaflets/Radius' is " + std::to_string(radius) +
                            "; expected more than the distance of the free edge "
                            "from the axis, " +
-                           text_of(edge(0.)) +
+                           std::to_string(edge(0.)) +
                            " with this thickness, gap and rounding."));
     for (unsigned int i = 0; i < 100; ++i)
       {

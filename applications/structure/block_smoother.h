@@ -24,7 +24,7 @@ namespace Structure
    * other ranks wait until the end of a sweep; half of the sums of what couples
    * to them are added to the diagonal, which makes the sweeps converge for any
    * definite matrix and any partition (A. Baker et al., Multigrid smoothers for
-   * ultraparallel computing, doi:10.1137/100798806, section 6).
+   * ultraparallel computing, doi:10.1137/100798806).
    */
   class BlockSmoother
   {

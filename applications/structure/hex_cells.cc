@@ -259,7 +259,9 @@ namespace Structure
     const double share =
       unknown ? std::min(kernel.bulk, bulk_in_matrix * kernel.mu) : kernel.bulk;
     const types::global_dof_index first_row =
-      unknown ? pressures.owned.nth_index_in_set(0) + first_pressure : 0;
+      unknown && !cells.empty() ?
+        pressures.owned.nth_index_in_set(0) + first_pressure :
+        0;
     const double     *u_values = u.begin();
     double           *rhs      = target.rhs.begin();
     double           *internal = target.internal.begin();
