@@ -212,8 +212,14 @@ namespace
       prm.set("Removal time", removal_time);
     if (prm.get("Initial penetration") == "remove over time deep" &&
         prm.get_double("Deepest initial penetration") == 0.)
-      prm.set("Deepest initial penetration",
-              1.1 * std::max(outer + bulge - bore, 1e-3 * bore));
+      {
+        // flat facets of the seat stand out of its circle
+        const double half_facet =
+          angle / 360. * numbers::PI / std::max(1u, seat.mesh.cells[0]);
+        prm.set("Deepest initial penetration",
+                1.1 * std::max(outer + bulge - bore * std::cos(half_facet),
+                               1e-3 * bore));
+      }
     fit.contact.read(prm);
     prm.leave_subsection();
     scene.interfaces = {fit};

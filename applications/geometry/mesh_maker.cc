@@ -2,6 +2,7 @@
 #include "mesh_maker.h"
 
 #include "../structure/expression.h"
+#include "map_manifold.h"
 #include "structured_mesh.h"
 
 #include <deal.II/base/function_parser.h>
@@ -11,17 +12,24 @@
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
 
+#include <deal.II/physics/transformations.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <map>
+#include <memory>
 #include <random>
 
 namespace Structure
 {
   namespace
   {
+    /// The boundary of meshes with a 'Map'.
+    constexpr types::manifold_id map_manifold = 2;
+
     /// A point from a list of numbers, with an error that names the entry.
     template <int dim>
     Point<dim>
@@ -174,9 +182,11 @@ namespace Structure
                         "VTK (.vtk)."));
         }
     }
+
+    /// 'Map' as a function.
     template <int dim>
-    void
-    map_mesh(const MeshParameters &m, Triangulation<dim> &mesh)
+    std::function<Point<dim>(const Point<dim> &)>
+    map_of(const MeshParameters &m)
     {
       const std::vector<std::string> components =
         Utilities::split_string_list(m.map, ';');
@@ -185,22 +195,68 @@ namespace Structure
                              std::to_string(components.size()) +
                              " components; expected " + std::to_string(dim) +
                              ", separated by semicolons."));
-      std::vector<Expression<dim>> formulas;
+      auto formulas = std::make_shared<std::vector<Expression<dim>>>();
       for (const std::string &c : components)
-        formulas.emplace_back(c, "Mesh/Map");
+        formulas->emplace_back(c, "Mesh/Map");
+      return [formulas](const Point<dim> &x) {
+        Point<dim> y;
+        for (unsigned int i = 0; i < dim; ++i)
+          y[i] = (*formulas)[i].value(x, 0.);
+        return y;
+      };
+    }
+
+    /// 'Rotation angle' and 'Move' as a function.
+    template <int dim>
+    std::function<Point<dim>(const Point<dim> &)>
+    placement_of(const MeshParameters &m)
+    {
+      const double   angle = numbers::PI / 180. * m.rotation_angle;
+      Tensor<1, dim> move;
+      if (!m.move.empty())
+        move = point_of<dim>(m.move, "Move");
+      Tensor<2, dim> turn = unit_symmetric_tensor<dim>();
+      if constexpr (dim == 2)
+        turn = Physics::Transformations::Rotations::rotation_matrix_2d(angle);
+      else if (angle != 0.)
+        {
+          const Point<3> axis = point_of<dim>(m.rotation_axis, "Rotation axis");
+          AssertThrow(axis.norm() > 0.,
+                      ExcMessage("'Mesh/Rotation axis' is 0, 0, 0; expected a "
+                                 "direction."));
+          turn = Physics::Transformations::Rotations::rotation_matrix_3d(
+            axis / axis.norm(), angle);
+        }
+      return [turn, move](const Point<dim> &x) {
+        return Point<dim>(turn * Tensor<1, dim>(x) + move);
+      };
+    }
+
+    /// Map the mesh and put it in its place; points that refinement adds on its
+    /// boundary, and the middle nodes of elements there, are mapped, too.
+    template <int dim>
+    void
+    map_into_place(const MeshParameters &m, Triangulation<dim> &mesh)
+    {
+      const auto map = map_of<dim>(m), placement = placement_of<dim>(m);
+      const auto whole = [map, placement](const Point<dim> &x) {
+        return placement(map(x));
+      };
+      const std::vector<Point<dim>> before = mesh.get_vertices();
       mesh.reset_all_manifolds();
-      GridTools::transform(
-        [&](const Point<dim> &x) {
-          Point<dim> y;
-          for (unsigned int i = 0; i < dim; ++i)
-            y[i] = formulas[i].value(x, 0.);
-          return y;
-        },
-        mesh);
+      GridTools::transform(whole, mesh);
       // triangulations do not look at the sign themselves
       for (const auto &cell : mesh.active_cell_iterators())
         AssertThrow(cell->measure() > 0.,
                     ExcMessage("'Mesh/Map' turns a cell inside out."));
+      MapManifold<dim> manifold(whole);
+      for (const auto &cell : mesh.active_cell_iterators())
+        for (const auto &face : cell->face_iterators())
+          if (face->at_boundary())
+            for (const unsigned int v : face->vertex_indices())
+              manifold.add(face->vertex(v), before[face->vertex_index(v)]);
+      mesh.set_manifold(map_manifold, manifold);
+      mesh.set_all_manifold_ids_on_boundary(map_manifold);
     }
 
     template <int dim, int spacedim>
@@ -304,37 +360,19 @@ namespace Structure
         GridTools::distort_random(m.distortion, mesh, true);
 
       if (!m.map.empty())
-        map_mesh(m, mesh);
+        {
+          map_into_place(m, mesh);
+          return;
+        }
 
       // Step 4: in its place, manifolds too: elements of degree 2 get their
       // middle nodes from them.
       if (m.rotation_angle == 0. && m.move.empty())
         return;
       mesh.reset_all_manifolds();
-      const double angle = numbers::PI / 180. * m.rotation_angle;
-      Point<dim>   origin;
-      if (!m.move.empty())
-        origin = point_of<dim>(m.move, "Move");
-      Tensor<1, dim> z;
-      if constexpr (dim == 2)
-        GridTools::rotate(angle, mesh);
-      else
-        {
-          const Point<dim> given =
-            point_of<dim>(m.rotation_axis, "Rotation axis");
-          AssertThrow(given.norm() > 0.,
-                      ExcMessage("'Mesh/Rotation axis' is 0, 0, 0; expected a "
-                                 "direction."));
-          const Tensor<1, 3> axis = given / given.norm();
-          if (angle != 0.)
-            GridTools::rotate(axis, angle, mesh);
-          // the axis of rings and cylinders, turned (Rodrigues)
-          z[2] = 1.;
-          z    = std::cos(angle) * z +
-              std::sin(angle) * cross_product_3d(axis, z) +
-              (1. - std::cos(angle)) * (axis * z) * axis;
-        }
-      GridTools::shift(Tensor<1, dim>(origin), mesh);
+      const auto place = placement_of<dim>(m);
+      GridTools::transform(place, mesh);
+      const Point<dim> origin = place(Point<dim>());
       if (m.type == "ball" || m.type == "ball sector")
         mesh.set_manifold(0, SphericalManifold<dim>(origin));
       if constexpr (dim == 2)
@@ -344,6 +382,9 @@ namespace Structure
         }
       else
         {
+          // the axis of rings and cylinders, turned
+          const Tensor<1, dim> z =
+            place(Point<dim>::unit_vector(dim - 1)) - origin;
           if (m.type == "revolution")
             mesh.set_manifold(1, CylindricalManifold<3>(z, origin));
           if (m.type == "cylinder")

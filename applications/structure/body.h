@@ -172,7 +172,13 @@ namespace Structure
     commit()
     {}
 
-    /// What the material remembers, for checkpoints.
+    /// All dofs, in the model's numbering, in an order that the mesh alone
+    /// gives.
+    virtual std::vector<types::global_dof_index>
+    dofs_in_order() const = 0;
+
+    /// What the material of all cells remembers, for checkpoints: the same on
+    /// all ranks and on any number of them. Collective.
     virtual std::vector<double>
     history() const
     {
@@ -182,6 +188,41 @@ namespace Structure
     virtual void
     restore(const std::vector<double> &)
     {}
+
+    /// Whether refine() and what belongs to it may be called.
+    virtual bool
+    can_be_refined() const
+    {
+      return false;
+    }
+
+    /// How often the mesh was halved to give an active cell, of any rank.
+    virtual unsigned int
+    level_of(const unsigned int active_cell) const = 0;
+
+    /// Number of the active cell that facets are labelled with.
+    virtual unsigned int
+    active_number(const types::global_cell_index label) const = 0;
+
+    /// By active cell, of all ranks: mu h/24 times the squared jumps of the
+    /// gradient of @p u (in the body's numbering) across its faces [J].
+    virtual std::vector<double>
+    gradient_jumps(const Vector<double> & /*u*/) const
+    {
+      Assert(false, ExcNotImplemented());
+      return {};
+    }
+
+    /**
+     * Refine (r) and coarsen (c) active cells. The model must number the dofs
+     * anew.
+     * @param flags By active cell, the same on all ranks; '.' for none.
+     * @param fields Values of all dofs in the body's numbering.
+     * @return The same on the new mesh.
+     */
+    virtual std::vector<Vector<double>>
+    refine(const std::string                 &flags,
+           const std::vector<Vector<double>> &fields) = 0;
 
     /// Strain energy of a cell [J].
     virtual double

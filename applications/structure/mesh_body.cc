@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "mesh_body.h"
 
+#include <deal.II/base/mpi.h>
+
 #include <deal.II/dofs/dof_tools.h>
+
+#include <deal.II/numerics/solution_transfer.h>
 
 #include <algorithm>
 #include <sstream>
@@ -70,6 +74,7 @@ namespace Structure
       signal->connect(
         [this, n_ranks]() { partition_in_slices(triangulation, n_ranks); });
     triangulation.copy_triangulation(mesh);
+    first_level = triangulation.n_levels() - 1;
     AssertThrow(triangulation.all_reference_cells_are_simplex() ||
                   triangulation.all_reference_cells_are_hyper_cube(),
                 ExcMessage("Body '" + name +
@@ -86,10 +91,116 @@ namespace Structure
     std::unique_ptr<FESystem<dim, spacedim>> element)
   {
     fe = std::move(element);
+    distribute_dofs();
+  }
+
+
+  template <int dim, int spacedim>
+  void
+  MeshBody<dim, spacedim>::distribute_dofs()
+  {
     dof_handler.distribute_dofs(*fe);
+    local_cells.clear();
+    levels.clear();
+    active_numbers.resize(triangulation.n_active_cells());
     for (const auto &cell : dof_handler.active_cell_iterators())
-      if (cell->is_locally_owned())
-        local_cells.push_back(cell);
+      {
+        if (cell->is_locally_owned())
+          local_cells.push_back(cell);
+        active_numbers[cell->global_active_cell_index()] =
+          cell->active_cell_index();
+        levels.push_back(std::max(0, cell->level() - first_level));
+      }
+  }
+
+
+  template <int dim, int spacedim>
+  std::vector<types::global_dof_index>
+  MeshBody<dim, spacedim>::dofs_in_order() const
+  {
+    std::vector<types::global_dof_index> result, of_cell(fe->n_dofs_per_cell());
+    std::vector<char>                    seen(dof_handler.n_dofs(), false);
+    result.reserve(dof_handler.n_dofs());
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      {
+        cell->get_dof_indices(of_cell);
+        for (const auto dof : of_cell)
+          if (!seen[dof])
+            {
+              seen[dof] = true;
+              result.push_back(this->numbering(dof));
+            }
+      }
+    return result;
+  }
+
+
+  template <int dim, int spacedim>
+  std::vector<double>
+  MeshBody<dim, spacedim>::of_all_cells(
+    const std::vector<double> &of_local_cells) const
+  {
+    std::vector<unsigned int> cells;
+    for (const Cell &cell : local_cells)
+      cells.push_back(cell->active_cell_index());
+    const MPI_Comm communicator = triangulation.get_communicator();
+    const auto     all_cells = Utilities::MPI::all_gather(communicator, cells);
+    const auto     values =
+      Utilities::MPI::all_gather(communicator, of_local_cells);
+    std::size_t n = 0;
+    for (const auto &v : values)
+      n += v.size();
+    std::vector<double> result(n);
+    n /= triangulation.n_active_cells();
+    for (std::size_t rank = 0; rank < values.size(); ++rank)
+      for (std::size_t i = 0; i < all_cells[rank].size(); ++i)
+        std::copy_n(values[rank].begin() + i * n,
+                    n,
+                    result.begin() + all_cells[rank][i] * n);
+    return result;
+  }
+
+
+  template <int dim, int spacedim>
+  std::vector<double>
+  MeshBody<dim, spacedim>::of_local_cells(
+    const std::vector<double> &of_all_cells) const
+  {
+    const std::size_t n = of_all_cells.size() / triangulation.n_active_cells();
+    std::vector<double> result;
+    for (const Cell &cell : local_cells)
+      result.insert(result.end(),
+                    of_all_cells.begin() + cell->active_cell_index() * n,
+                    of_all_cells.begin() + (cell->active_cell_index() + 1) * n);
+    return result;
+  }
+
+
+  template <int dim, int spacedim>
+  std::vector<Vector<double>>
+  MeshBody<dim, spacedim>::refine(const std::string                 &flags,
+                                  const std::vector<Vector<double>> &fields)
+  {
+    AssertThrow(flags.size() == triangulation.n_active_cells(),
+                ExcMessage("The refinement belongs to another mesh than that "
+                           "of '" +
+                           this->name + "'."));
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (flags[cell->active_cell_index()] == 'r')
+        cell->set_refine_flag();
+      else if (flags[cell->active_cell_index()] == 'c')
+        cell->set_coarsen_flag();
+    triangulation.prepare_coarsening_and_refinement();
+    SolutionTransfer<dim, Vector<double>, spacedim> transfer(dof_handler);
+    if (!fields.empty())
+      transfer.prepare_for_coarsening_and_refinement(fields);
+    triangulation.execute_coarsening_and_refinement();
+    distribute_dofs();
+    std::vector<Vector<double>> result(fields.size(),
+                                       Vector<double>(dof_handler.n_dofs()));
+    if (!fields.empty())
+      transfer.interpolate(fields, result);
+    return result;
   }
 
 

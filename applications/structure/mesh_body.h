@@ -78,6 +78,25 @@ namespace Structure
     std::string
     name_of(const unsigned int cell) const override;
 
+    std::vector<types::global_dof_index>
+    dofs_in_order() const override;
+
+    unsigned int
+    level_of(const unsigned int active_cell) const override
+    {
+      return levels[active_cell];
+    }
+
+    unsigned int
+    active_number(const types::global_cell_index label) const override
+    {
+      return active_numbers[label];
+    }
+
+    std::vector<Vector<double>>
+    refine(const std::string                 &flags,
+           const std::vector<Vector<double>> &fields) override;
+
     parallel::shared::Triangulation<dim, spacedim> triangulation;
     std::unique_ptr<FESystem<dim, spacedim>>       fe;
     DoFHandler<dim, spacedim>                      dof_handler;
@@ -87,8 +106,28 @@ namespace Structure
     void
     distribute_dofs(std::unique_ptr<FESystem<dim, spacedim>> element);
 
+    /// Number the dofs of the mesh as it is.
+    void
+    distribute_dofs();
+
+    /// Join the values that each rank has of its cells, equally many each, in
+    /// the order of active cells.
+    std::vector<double>
+    of_all_cells(const std::vector<double> &of_local_cells) const;
+
+    /// The values of local cells among those of all.
+    std::vector<double>
+    of_local_cells(const std::vector<double> &of_all_cells) const;
+
     using Cell = typename DoFHandler<dim, spacedim>::active_cell_iterator;
     std::vector<Cell> local_cells;
+
+  private:
+    int first_level = 0; ///< Finest of the mesh that was given.
+    /// By active cell.
+    std::vector<unsigned int> levels;
+    /// By global active cell index, which counts rank by rank.
+    std::vector<unsigned int> active_numbers;
   };
 } // namespace Structure
 

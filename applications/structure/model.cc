@@ -737,13 +737,34 @@ namespace Structure
     integration.dt            = 0.;
     const std::string failure = assemble(integration.u_n, 0., false);
     AssertThrow(failure.empty(), ExcMessage(failure));
-    integration.F_n = internal;
-    integration.F_n -= external;
-    integration.F_n -= contact;
+    integration.F_n = static_forces();
     for (const auto i : owned)
       integration.a_n(i) =
         constraints.is_constrained(i) ? 0. : -integration.F_n(i) / lumped(i);
     integration.a_n.compress(VectorOperation::insert);
+  }
+
+
+  template <int dim>
+  Vector_t
+  Model<dim>::static_forces() const
+  {
+    Vector_t F = internal;
+    F -= external;
+    F -= contact;
+    return F;
+  }
+
+
+  template <int dim>
+  void
+  Model<dim>::resume_motion(const Vector_t &u, const double time)
+  {
+    integration.u_n           = u;
+    integration.dt            = 0.;
+    const std::string failure = assemble(u, time, false);
+    AssertThrow(failure.empty(), ExcMessage(failure));
+    integration.F_n = static_forces();
   }
 
 
@@ -753,12 +774,8 @@ namespace Structure
   {
     for (const auto &b : bodies)
       b->commit();
-    if (!is_dynamic())
-      return;
-    Vector_t F = internal;
-    F -= external;
-    F -= contact;
-    integration.commit(u, F);
+    if (is_dynamic())
+      integration.commit(u, static_forces());
   }
 
 

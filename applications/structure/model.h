@@ -95,6 +95,11 @@ namespace Structure
              const Vector_t *previous        = nullptr,
              const bool      reset_pressures = true);
 
+    /// Go on in dynamics from @p u and from the velocities and accelerations
+    /// that the time integration has.
+    void
+    resume_motion(const Vector_t &u, const double time);
+
     /// Accept the state of the last assembly, at @p u, as the end of a step.
     void
     commit(const Vector_t &u);
@@ -170,6 +175,10 @@ namespace Structure
 
     void
     make_loads();
+
+    /// Internal less external less contact forces of the last assembly.
+    Vector_t
+    static_forces() const;
 
     /// Forces on single nodes and on rigid bodies.
     void

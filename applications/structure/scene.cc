@@ -490,6 +490,9 @@ namespace Structure
     prm.enter_subsection("Dynamics");
     DynamicsParameters::declare(prm);
     prm.leave_subsection();
+    prm.enter_subsection("Refinement");
+    RefinementParameters::declare(prm);
+    prm.leave_subsection();
     prm.enter_subsection("Solver");
     prm.enter_subsection("Newton");
     NewtonParameters::declare(prm);
@@ -538,6 +541,7 @@ namespace Structure
                              std::to_string(s.largest) + ")."));
     });
     in_section(prm, {"Dynamics"}, [&]() { scene.dynamics.read(prm); });
+    in_section(prm, {"Refinement"}, [&]() { scene.refinement.read(prm); });
     in_section(prm, {"Solver", "Newton"}, [&]() { scene.newton.read(prm); });
     in_section(prm, {"Solver", "Linear"}, [&]() { scene.linear.read(prm); });
     in_section(prm, {"Output"}, [&]() {

@@ -7,6 +7,7 @@
 #include "loads.h"
 #include "material.h"
 #include "newton.h"
+#include "refinement.h"
 #include "rigid_parameters.h"
 
 #include <mortar_contact/parameters/contact_parameters.h>
@@ -88,6 +89,7 @@ namespace Structure
     std::vector<BoundaryCondition>   conditions;
     std::vector<InterfaceParameters> interfaces;
     StepParameters                   steps;
+    RefinementParameters             refinement;
     NewtonParameters                 newton;
     LinearSolverParameters           linear;
     OutputParameters                 output;

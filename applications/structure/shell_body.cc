@@ -163,14 +163,15 @@ namespace Structure
                      {s.strain[0], s.strain[1], s.strain[2], s.equivalent});
         all.insert(all.end(), element.modes.begin(), element.modes.end());
       }
-    return all;
+    return of_all_cells(all);
   }
 
 
   void
-  ShellBody::restore(const std::vector<double> &state)
+  ShellBody::restore(const std::vector<double> &of_all)
   {
-    std::size_t n = 0, i = 0;
+    const std::vector<double> state = of_local_cells(of_all);
+    std::size_t               n = 0, i = 0;
     for (const ShellElement &element : elements)
       n += 4 * element.states.size() + element.modes.size();
     AssertThrow(n == state.size(),

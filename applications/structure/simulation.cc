@@ -8,11 +8,6 @@
 
 #include <deal.II/base/utilities.h>
 
-#include <boost/archive/binary_iarchive.hpp>
-#include <boost/archive/binary_oarchive.hpp>
-#include <boost/serialization/string.hpp>
-#include <boost/serialization/vector.hpp>
-
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -87,22 +82,6 @@ namespace Structure
                       " has none of its own; the mesh has " + known + "."));
       return result;
     }
-
-    /// What a checkpoint must agree with to be continued.
-    struct CheckpointHead
-    {
-      std::string             magic = "MortarContact checkpoint 2";
-      std::string             parameters;
-      unsigned int            n_ranks = 0;
-      types::global_dof_index n_dofs  = 0;
-
-      template <class Archive>
-      void
-      serialize(Archive &archive, const unsigned int)
-      {
-        archive &magic &parameters &n_ranks &n_dofs;
-      }
-    };
   } // namespace
 
 
@@ -127,16 +106,26 @@ namespace Structure
 
   template <int dim>
   std::vector<Vector_t *>
-  Simulation<dim>::more_state()
+  Simulation<dim>::kept_vectors()
   {
-    std::vector<Vector_t *> state;
+    std::vector<Vector_t *> vectors = {&u};
     if (model.is_dynamic())
-      state = {&model.integration.v_n,
-               &model.integration.a_n,
-               &model.integration.F_n};
-    if (scene.newton.predicts)
-      state.push_back(&rate);
-    return state;
+      for (Vector_t *v : {&model.integration.v_n, &model.integration.a_n})
+        vectors.push_back(v);
+    if (scene.newton.predicts || scene.refinement.is_on())
+      vectors.push_back(&rate);
+    return vectors;
+  }
+
+
+  template <int dim>
+  std::vector<Vector_t *>
+  Simulation<dim>::saved_vectors()
+  {
+    std::vector<Vector_t *> vectors = kept_vectors();
+    if (model.is_dynamic()) // computed anew it could differ in round-off
+      vectors.push_back(&model.integration.F_n);
+    return vectors;
   }
 
 
@@ -238,6 +227,19 @@ namespace Structure
       }
     model.conditions  = scene.conditions;
     model.integration = TimeIntegration(scene.dynamics);
+    check_refinement();
+    connect();
+  }
+
+
+  template <int dim>
+  void
+  Simulation<dim>::connect()
+  {
+    rigid_bodies.clear();
+    model.rigid_dofs.clear();
+    model.interfaces.clear();
+    probe_dofs.clear();
     for (const RigidParameters &r : scene.rigid_bodies)
       try
         {
@@ -293,7 +295,7 @@ namespace Structure
       }
     model.setup(scene.linear.is_iterative(dim, model.n_dofs()));
     u = model.make_vector();
-    if (scene.newton.predicts)
+    if (scene.newton.predicts || scene.refinement.is_on())
       rate = model.make_vector();
 
     // the nodes nearest to the probes
@@ -378,13 +380,13 @@ namespace Structure
   {
     Vector_t motion = model.make_vector();
     // after some failures a step starts from the last state
-    if (!scene.newton.predicts || cut_backs_of_step >= 3 ||
+    if ((!scene.newton.predicts && !goes_again) || cut_backs_of_step >= 3 ||
         rate.linfty_norm() == 0.)
       return motion;
     // where overlaps have been removed the motion turns
     for (const auto &interface : model.interfaces)
-      if (std::abs(time - interface->parameters.removal_time) <=
-          1e-10 * scene.steps.end_time)
+      if (!goes_again && std::abs(time - interface->parameters.removal_time) <=
+                           1e-10 * scene.steps.end_time)
         return motion;
     motion.equ(new_time - time, rate);
     double share = 1.;
@@ -495,7 +497,8 @@ namespace Structure
         if (!advice.accept)
           return advice.reason;
       }
-    if (scene.newton.predicts)
+    goes_again = false;
+    if (scene.newton.predicts || scene.refinement.is_on())
       {
         rate = trial;
         rate -= u;
@@ -513,6 +516,9 @@ namespace Structure
     const StepParameters &s     = scene.steps;
     std::vector<double>   stops = s.times_to_meet;
     stops.push_back(s.end_time);
+    stops.insert(stops.end(),
+                 scene.refinement.times.begin(),
+                 scene.refinement.times.end());
     std::sort(stops.begin(), stops.end());
 
     if (step == 0)
@@ -525,7 +531,8 @@ namespace Structure
     wall.restart();
     const double first_time = time;
     // times closer than this are the same
-    const double same = 1e-10 * s.end_time;
+    const double same   = 1e-10 * s.end_time;
+    unsigned int cycles = 0; // of refinement, in this step
 
     while (time < s.end_time - same && step < s.max_steps)
       {
@@ -543,12 +550,17 @@ namespace Structure
         else if (target > stop - 0.5 * next_step)
           target = 0.5 * (time + stop);
 
-        target                    = safe_target(target);
+        target = safe_target(target);
+        std::vector<Vector_t> start;
+        if (scene.refinement.is_on())
+          for (const Vector_t *v : kept_vectors())
+            start.push_back(*v);
         const std::string failure = try_step(target);
         if (!failure.empty())
           {
             ++cut_backs;
             ++cut_backs_of_step;
+            goes_again = false;
             for (const auto &interface : model.interfaces)
               interface->rollback();
             next_step = s.cut * (target - time);
@@ -561,7 +573,7 @@ namespace Structure
                   number(s.smallest) + ". Last good state: time " +
                   number(time) + ".");
                 show_last_state();
-                write_checkpoint();
+                save_checkpoint();
                 write_summary("no convergence");
                 return no_convergence;
               }
@@ -572,6 +584,16 @@ namespace Structure
               }
             continue;
           }
+
+        if (cycles < scene.refinement.cycles &&
+            scene.refinement.is_due(step + 1, target, same) &&
+            refine_and_go_back(target, start))
+          {
+            ++cycles;
+            next_step = target - time;
+            continue;
+          }
+        cycles = 0;
 
         const double step_size = target - time;
         time                   = target;
@@ -640,7 +662,7 @@ namespace Structure
   ExitCode
   Simulation<dim>::stop_run()
   {
-    write_checkpoint();
+    save_checkpoint();
     write_summary("stopped");
     log.line("Stopped by a signal after step " + std::to_string(step) +
              ", time " + number(time) + ". Continue with --restart " +
@@ -753,164 +775,7 @@ namespace Structure
       output.fields(model, u, time, step);
     const unsigned int save = scene.output.checkpoint_every;
     if (is_last || (save > 0 && step % save == 0))
-      write_checkpoint();
-  }
-
-
-  template <int dim>
-  void
-  Simulation<dim>::write_checkpoint()
-  {
-    // Into a new folder first: the previous checkpoint stays valid until this
-    // one is complete on all ranks.
-    namespace fs              = std::filesystem;
-    const std::string  folder = output.directory + "/checkpoint";
-    const std::string  fresh  = folder + ".new";
-    const unsigned int rank   = Utilities::MPI::this_mpi_process(communicator);
-    if (rank == 0)
-      {
-        std::error_code error; // seen below, when nothing can be written
-        fs::remove_all(fresh, error);
-        fs::create_directories(fresh, error);
-      }
-    MPI_Barrier(communicator);
-
-    CheckpointHead head;
-    head.parameters = used_parameters;
-    head.n_ranks    = Utilities::MPI::n_mpi_processes(communicator);
-    head.n_dofs     = model.n_dofs();
-    std::vector<double> values;
-    for (const auto i : model.owned_dofs())
-      values.push_back(u(i));
-    for (const Vector_t *v : more_state())
-      for (const auto i : model.owned_dofs())
-        values.push_back((*v)(i));
-    std::vector<std::vector<double>> states;
-    for (const auto &b : model.bodies)
-      states.push_back(b->history());
-    bool ok = false;
-    try
-      {
-        std::ofstream out(fresh + "/rank-" + std::to_string(rank),
-                          std::ios::binary);
-        {
-          boost::archive::binary_oarchive archive(out);
-          archive &head &time &step &next_step &cut_backs &newton_iterations
-            &linear_iterations &values &states;
-        }
-        for (const auto &interface : model.interfaces)
-          interface->save(out);
-        out.close();
-        ok = !out.fail();
-      }
-    catch (const std::exception &)
-      {
-        ok = false; // boost throws where the disk is full
-      }
-    AssertThrow(Utilities::MPI::min(ok ? 1 : 0, communicator) == 1,
-                ExcMessage("The checkpoint in '" + fresh +
-                           "' cannot be written (disk full?). The previous one "
-                           "is still valid."));
-    if (rank == 0)
-      {
-        fs::remove_all(folder);
-        fs::rename(fresh, folder);
-      }
-    MPI_Barrier(communicator);
-  }
-
-
-  template <int dim>
-  void
-  Simulation<dim>::restart(const std::string &directory)
-  {
-    const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
-    const std::string  file =
-      directory + "/checkpoint/rank-" + std::to_string(rank);
-    std::string failure;
-    bool        other_parameters = false;
-    {
-      std::ifstream                    in(file, std::ios::binary);
-      CheckpointHead                   head;
-      const CheckpointHead             expected;
-      std::vector<double>              values;
-      std::vector<std::vector<double>> states;
-      if (!in)
-        failure = "there is no such file";
-      else
-        try
-          {
-            boost::archive::binary_iarchive archive(in);
-            archive                        &head;
-            const unsigned int              n_ranks =
-              Utilities::MPI::n_mpi_processes(communicator);
-            if (head.magic != expected.magic)
-              failure = "it was written by another version";
-            else if (head.n_ranks != n_ranks)
-              failure = "it was written on " + std::to_string(head.n_ranks) +
-                        " ranks, this run has " + std::to_string(n_ranks);
-            else if (head.n_dofs != model.n_dofs())
-              failure = "it belongs to a scene with " +
-                        std::to_string(head.n_dofs) + " dofs, this one has " +
-                        std::to_string(model.n_dofs());
-            else
-              {
-                archive &time &step &next_step &cut_backs &newton_iterations
-                  &linear_iterations &values &states;
-                if (values.size() != model.owned_dofs().n_elements() *
-                                       (1 + more_state().size()) ||
-                    states.size() != model.bodies.size())
-                  failure = "it is damaged";
-              }
-            if (failure.empty())
-              {
-                std::size_t i = 0;
-                for (const auto dof : model.owned_dofs())
-                  u(dof) = values[i++];
-                for (Vector_t *v : more_state())
-                  for (const auto dof : model.owned_dofs())
-                    (*v)(dof) = values[i++];
-                for (std::size_t b = 0; b < states.size(); ++b)
-                  model.bodies[b]->restore(states[b]);
-                other_parameters = head.parameters != used_parameters;
-                for (const auto &interface : model.interfaces)
-                  interface->load(in);
-              }
-          }
-        catch (const std::exception &)
-          {
-            failure = "it is damaged or truncated";
-          }
-    }
-    for (const auto &f : Utilities::MPI::all_gather(communicator, failure))
-      if (!f.empty())
-        failure = f;
-    AssertThrow(failure.empty(),
-                ExcMessage("The checkpoint '" + file +
-                           "' cannot be continued: " + failure + "."));
-    u.compress(VectorOperation::insert);
-    for (Vector_t *v : more_state())
-      v->compress(VectorOperation::insert);
-    if (model.is_dynamic())
-      {
-        model.integration.u_n = u;
-        model.integration.dt  = 0.;
-      }
-    // the same folder by whatever name: its files are kept
-    std::error_code error;
-    const bool      same_folder = Utilities::MPI::broadcast(
-      communicator,
-      std::filesystem::equivalent(directory, output.directory, error));
-    if (same_folder)
-      output.resume(time);
-    else
-      output.start(used_parameters);
-    log.open(output.directory + "/run.log", same_folder);
-    if (other_parameters)
-      log.line("NOTE: the parameters differ from those of the checkpoint.");
-    (void)model.assemble(u, time, false);
-    log.line("Restarted from '" + directory + "': step " +
-             std::to_string(step) + ", time " + number(time));
+      save_checkpoint();
   }
 
 

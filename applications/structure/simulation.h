@@ -47,7 +47,8 @@ namespace Structure
     void
     report_setup();
 
-    /// Continue from a checkpoint in @p directory. After setup().
+    /// Continue from a checkpoint in @p directory, written on any number of
+    /// ranks. After setup().
     void
     restart(const std::string &directory);
 
@@ -64,7 +65,7 @@ namespace Structure
     Model<dim>        model;
     LinearSolver<dim> linear_solver;
     Vector_t          u;    ///< Displacements of the last accepted state.
-    Vector_t          rate; ///< Of the last step, for the predictor.
+    Vector_t          rate; ///< Of the last try that converged; if needed.
     double            time              = 0.;
     unsigned int      step              = 0; ///< Accepted steps.
     unsigned int      cut_backs         = 0;
@@ -82,9 +83,37 @@ namespace Structure
     probe(const unsigned int p) const;
 
   private:
-    /// What a checkpoint holds besides u.
+    /// What a run keeps: u, and what the next step starts from.
     std::vector<Vector_t *>
-    more_state();
+    kept_vectors();
+
+    /// What a checkpoint holds.
+    std::vector<Vector_t *>
+    saved_vectors();
+
+    /// Dofs, interfaces, conditions and vectors for the meshes as they are.
+    void
+    connect();
+
+    void
+    check_refinement() const;
+
+    /**
+     * Refine the meshes where the state after a successful try of the step to
+     * @p new_time says so, and go back to the start of this step on them.
+     * @param start kept_vectors() there.
+     * @return False: nothing is to be refined, nothing was done.
+     */
+    bool
+    refine_and_go_back(const double                 new_time,
+                       const std::vector<Vector_t> &start);
+
+    /// Values of all dofs by body, in the bodies' numberings; then of those of
+    /// rigid bodies.
+    std::vector<Vector<double>>
+    values_by_body(const Vector_t &v) const;
+    void
+    set_values_by_body(const std::vector<Vector<double>> &values, Vector_t &v);
 
     std::unique_ptr<Body<dim>>
     make_solid(const BodyParameters &parameters) const;
@@ -117,17 +146,25 @@ namespace Structure
     write_step(const double step_size, const bool is_last);
 
     void
-    write_checkpoint();
+    save_checkpoint();
+
+    /// All dofs, in an order that does not depend on the ranks.
+    std::vector<types::global_dof_index>
+    dofs_in_order() const;
 
     void
     write_summary(const std::string &status);
 
-    std::string  used_parameters;
-    Log         &log;
-    Output<dim>  output;
+    std::string used_parameters;
+    Log        &log;
+    Output<dim> output;
+    /// What was done to the meshes: [refinement][body].
+    std::vector<std::vector<std::string>> refinements;
     double       next_step         = 0.; ///< Size of the next step.
     unsigned int cut_backs_of_step = 0;
-    Timer        wall;
+    /// The step was solved on coarser meshes: rate leads to its end.
+    bool  goes_again = false;
+    Timer wall;
     std::vector<std::shared_ptr<MortarContact::RigidBody<dim>>> rigid_bodies;
     std::vector<std::array<types::global_dof_index, dim>>       probe_dofs;
   };

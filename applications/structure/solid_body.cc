@@ -14,6 +14,7 @@
 #include <deal.II/grid/grid_tools.h>
 
 #include <deal.II/numerics/data_out.h>
+#include <deal.II/numerics/error_estimator.h>
 
 #include <algorithm>
 #include <cmath>
@@ -125,6 +126,31 @@ namespace Structure
     (void)owned;
     (void)relevant;
     return nullptr;
+  }
+
+
+  template <int dim>
+  std::vector<double>
+  SolidBody<dim>::gradient_jumps(const Vector<double> &u) const
+  {
+    // the estimator's own constant is h/24
+    Vector<float> estimate(triangulation.n_active_cells());
+    KellyErrorEstimator<dim>::estimate(*mapping,
+                                       dof_handler,
+                                       *face_quadrature,
+                                       {},
+                                       u,
+                                       estimate,
+                                       ComponentMask(),
+                                       nullptr,
+                                       1,
+                                       triangulation.locally_owned_subdomain());
+    std::vector<double> result(estimate.size());
+    for (unsigned int c = 0; c < result.size(); ++c)
+      result[c] =
+        material->shear_modulus * double(estimate(c)) * double(estimate(c));
+    Utilities::MPI::sum(result, triangulation.get_communicator(), result);
+    return result;
   }
 
 

@@ -88,6 +88,15 @@ namespace Structure
              Vector<double>       &forces,
              FullMatrix<double>   &tangent) override;
 
+    bool
+    can_be_refined() const override
+    {
+      return triangulation.all_reference_cells_are_hyper_cube();
+    }
+
+    std::vector<double>
+    gradient_jumps(const Vector<double> &u) const override;
+
     unsigned int
     component_of(const unsigned int dof) const override
     {

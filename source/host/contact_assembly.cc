@@ -326,10 +326,7 @@ namespace MortarContact
       place_rigid_bodies(time);
       for (auto &surface : surfaces)
         surface.move([&](const auto dof) { return value(dof); });
-      for (const auto &sweep : sweeps)
-        sweep->evaluate(share, time - committed_time, with_tangent);
-      if (tie_sweep)
-        tie_sweep->evaluate(with_tangent);
+      evaluate_sweeps(share, time, with_tangent);
     };
     const auto collect = [&](const std::vector<double> *direction) {
       std::vector<double>                  result(dofs.size(), 0.);

@@ -6,11 +6,6 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>
 
-#include <boost/archive/binary_iarchive.hpp>
-#include <boost/archive/binary_oarchive.hpp>
-#include <boost/serialization/array.hpp>
-#include <boost/serialization/vector.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -423,11 +418,18 @@ namespace MortarContact
 
 
   template <int dim>
+  std::size_t
+  ContactInterface<dim>::place_of(const types::global_dof_index dof) const
+  {
+    return std::lower_bound(dofs.begin(), dofs.end(), dof) - dofs.begin();
+  }
+
+
+  template <int dim>
   double
   ContactInterface<dim>::value(const types::global_dof_index dof) const
   {
-    return values[std::lower_bound(dofs.begin(), dofs.end(), dof) -
-                  dofs.begin()];
+    return values[place_of(dof)];
   }
 
 
@@ -476,6 +478,22 @@ namespace MortarContact
 
   template <int dim>
   void
+  ContactInterface<dim>::evaluate_sweeps(const double share,
+                                         const double time,
+                                         const bool   with_tangent)
+  {
+    for (unsigned int i = 0; i < sweeps.size(); ++i)
+      {
+        sweeps[i]->evaluate(share, time - committed_time, with_tangent);
+        sweeps[i]->set_aside(pairs_behind(*sweeps[i], i));
+      }
+    if (tie_sweep)
+      tie_sweep->evaluate(with_tangent);
+  }
+
+
+  template <int dim>
+  void
   ContactInterface<dim>::evaluate(const double time, const bool with_tangent)
   {
     Timer timer;
@@ -507,13 +525,7 @@ namespace MortarContact
     const double share = removal_share(parameters.initial_penetration,
                                        time,
                                        parameters.removal_time);
-    for (unsigned int i = 0; i < sweeps.size(); ++i)
-      {
-        sweeps[i]->evaluate(share, time - committed_time, with_tangent);
-        sweeps[i]->set_aside(pairs_behind(*sweeps[i], i));
-      }
-    if (tie_sweep)
-      tie_sweep->evaluate(with_tangent);
+    evaluate_sweeps(share, time, with_tangent);
     make_report();
     last_report.evaluate_seconds +=
       Utilities::MPI::max(timer.wall_time(), communicator);
@@ -613,51 +625,6 @@ namespace MortarContact
       sweep->rollback();
     last_time                   = committed_time;
     last_report.n_augmentations = 0;
-  }
-
-
-  template <int dim>
-  void
-  ContactInterface<dim>::save(std::ostream &out) const
-  {
-    boost::archive::binary_oarchive archive(out);
-    const unsigned int              n = sweeps.size();
-    archive << n << last_report.n_released << committed_time << dissipation;
-    for (const auto &sweep : sweeps)
-      archive << sweep->state();
-    for (const auto &body : rigid_bodies)
-      archive << *body;
-    if (tie_sweep)
-      {
-        const std::vector<TieHistory> ties = tie_sweep->state();
-        archive << ties;
-      }
-  }
-
-
-  template <int dim>
-  void
-  ContactInterface<dim>::load(std::istream &in)
-  {
-    boost::archive::binary_iarchive archive(in);
-    unsigned int                    n = 0;
-    archive >> n >> last_report.n_released >> committed_time >> dissipation;
-    AssertThrow(n == sweeps.size(),
-                ExcMessage("The saved state belongs to another interface."));
-    for (const auto &sweep : sweeps)
-      {
-        ContactHistory<dim> history;
-        archive >> history;
-        sweep->restore(history);
-      }
-    for (const auto &body : rigid_bodies)
-      archive >> *body;
-    if (tie_sweep)
-      {
-        std::vector<TieHistory> ties;
-        archive >> ties;
-        tie_sweep->restore(ties);
-      }
   }
 
 

@@ -91,10 +91,8 @@ namespace MortarContact
     for (unsigned int role = 0; role < 2; ++role)
       {
         const ContactSurface<dim> &surface = surfaces[side_of(i, role)];
-        const auto                 before  = surface.moved([&](const auto dof) {
-          return accepted_values
-            [std::lower_bound(dofs.begin(), dofs.end(), dof) - dofs.begin()];
-        });
+        const auto                 before  = surface.moved(
+          [&](const auto dof) { return accepted_values[place_of(dof)]; });
         for (unsigned int f = 0; f < before.size(); ++f)
           {
             const Facet<dim> &now  = surface.skin.facets[f].current;

@@ -26,17 +26,6 @@ namespace MortarContact
     constexpr double safe_share = 0.5;
 
     template <int dim>
-    std::vector<Facet<dim>>
-    current_facets(const Skin<dim> &skin)
-    {
-      std::vector<Facet<dim>> result;
-      result.reserve(skin.facets.size());
-      for (const auto &f : skin.facets)
-        result.push_back(f.current);
-      return result;
-    }
-
-    template <int dim>
     double
     largest_motion(const Skin<dim> &skin, const std::vector<Facet<dim>> &from)
     {
@@ -194,69 +183,6 @@ namespace MortarContact
 
 
   template <int dim>
-  void
-  ContactSweep<dim>::drop_pairs_aside()
-  {
-    if (history.aside.empty())
-      return;
-    pairs.erase(std::remove_if(pairs.begin(),
-                               pairs.end(),
-                               [&](const auto &pair) {
-                                 return std::binary_search(
-                                   history.aside.begin(),
-                                   history.aside.end(),
-                                   pair);
-                               }),
-                pairs.end());
-  }
-
-
-  template <int dim>
-  void
-  ContactSweep<dim>::set_aside(const std::vector<char> &active_pairs)
-  {
-    std::vector<ActivePair> rest;
-    for (std::size_t k = 0; k < active_pairs.size(); ++k)
-      if (active_pairs[k])
-        new_aside.emplace_back(active[k].secondary, active[k].primary);
-      else
-        rest.push_back(active[k]);
-    if (!new_aside.empty())
-      active = rest;
-  }
-
-
-  template <int dim>
-  void
-  ContactSweep<dim>::commit_pairs_aside()
-  {
-    if (history.aside.empty() && new_aside.empty())
-      return;
-    for (const auto &[s, p] : history.aside)
-      {
-        const SecondaryFrame<dim> frame(secondary.facets[s].current);
-        PairBlock<dim>            block;
-        kernel.evaluate_segments(frame,
-                                 secondary.facets[s],
-                                 {},
-                                 primary.facets[p],
-                                 nullptr,
-                                 weight,
-                                 false,
-                                 block);
-        if (block.is_active() || block.n_beyond > 0)
-          new_aside.emplace_back(s, p);
-        else
-          searched_s.clear(); // it may be a candidate again: search
-      }
-    std::sort(new_aside.begin(), new_aside.end());
-    history.aside = new_aside;
-    new_aside.clear();
-    drop_pairs_aside();
-  }
-
-
-  template <int dim>
   SecondaryState<dim>
   ContactSweep<dim>::state_of(const unsigned int o, FacetSlip<dim> &slip) const
   {
@@ -286,14 +212,6 @@ namespace MortarContact
   ContactSweep<dim>::has_no_contact(const unsigned int o) const
   {
     return is_released(o) || (!history.tied.empty() && history.tied[o]);
-  }
-
-
-  template <int dim>
-  void
-  ContactSweep<dim>::set_tied(const std::vector<char> &by_owned_facet)
-  {
-    history.tied = by_owned_facet;
   }
 
 
@@ -704,28 +622,6 @@ namespace MortarContact
 
 
   template <int dim>
-  void
-  ContactSweep<dim>::restore(const ContactHistory<dim> &saved)
-  {
-    const auto fits = [&](const auto &entries) {
-      return entries.empty() || entries.size() == owned.size();
-    };
-    AssertThrow(fits(saved.level) && fits(saved.released) &&
-                  fits(saved.elastic_slip) && fits(saved.augmentation) &&
-                  fits(saved.tied) &&
-                  saved.elastic_slip.size() == history.elastic_slip.size(),
-                ExcMessage("The saved state belongs to another surface."));
-    history      = saved;
-    augmentation = saved.augmentation;
-    prepare_slips();
-    deepest_level = 0.;
-    for (const VertexValues<dim> &levels : history.level)
-      for (const double level : levels)
-        deepest_level = std::max(deepest_level, level);
-  }
-
-
-  template <int dim>
   std::vector<unsigned int>
   ContactSweep<dim>::too_deep(const double largest_share) const
   {
@@ -773,41 +669,6 @@ namespace MortarContact
           }
       }
     store_before();
-  }
-
-
-  template <int dim>
-  void
-  ContactSweep<dim>::store_before()
-  {
-    history.before = {{current_facets(secondary), current_facets(primary)}};
-    prepare_slips();
-  }
-
-
-  template <int dim>
-  void
-  ContactSweep<dim>::prepare_slips()
-  {
-    slips.resize(history.elastic_slip.size());
-    for (unsigned int o = 0; o < slips.size(); ++o)
-      {
-        const SecondaryFrame<dim> frame(history.before[0][owned[o]]);
-        slips[o].before = frame.facet;
-        slips[o].normal = frame.normal;
-        slips[o].basis  = frame.basis;
-        slips[o].elastic =
-          extrapolate_to_vertices<dim>(frame.facet.n_vertices,
-                                       history.elastic_slip[o]);
-      }
-  }
-
-
-  template <int dim>
-  void
-  ContactSweep<dim>::start(const double share)
-  {
-    history.share = share;
   }
 
 
@@ -881,14 +742,6 @@ namespace MortarContact
           A[q] = std::max(0., augmentation[o][q] + depths[q]);
         augmentation[o] = A;
       }
-  }
-
-
-  template <int dim>
-  void
-  ContactSweep<dim>::rollback()
-  {
-    augmentation = history.augmentation;
   }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <mortar_contact/mortar/tie_sweep.h>
 #include <mortar_contact/search/broad_phase.h>
+#include <mortar_contact/search/material_locator.h>
 #include <mortar_contact/search/pair_filter.h>
 
 #include <deal.II/base/exceptions.h>
@@ -200,33 +201,45 @@ namespace MortarContact
 
 
   template <int dim>
-  std::vector<TieHistory>
-  TieSweep<dim>::state() const
+  TiesHistory<dim>
+  TieSweep<dim>::history() const
   {
-    std::vector<TieHistory> result;
-    for (const auto &of_pair : ties)
-      for (const TiePoint<dim> &tie : of_pair)
-        result.push_back(tie.history);
-    // the last entry carries the sum
-    result.push_back({0., dissipated});
+    TiesHistory<dim> result;
+    for (std::size_t i = 0; i < ties.size(); ++i)
+      for (const TiePoint<dim> &tie : ties[i])
+        result.ties.emplace_back(undeformed_place(pairs[i].first, tie),
+                                 tie.history);
+    result.dissipated = dissipated;
     return result;
   }
 
 
   template <int dim>
   void
-  TieSweep<dim>::restore(const std::vector<TieHistory> &saved)
+  TieSweep<dim>::continue_from(const TiesHistory<dim> &saved,
+                               const bool              keeps_sum)
   {
-    std::size_t n = 1;
-    for (const auto &of_pair : ties)
-      n += of_pair.size();
-    AssertThrow(saved.size() == n,
-                ExcMessage("The saved state belongs to another surface."));
-    std::size_t i = 0;
-    for (auto &of_pair : ties)
-      for (TiePoint<dim> &tie : of_pair)
-        tie.history = saved[i++];
-    dissipated = saved.back().release;
+    std::vector<Tensor<1, dim>> places;
+    for (const auto &tie : saved.ties)
+      places.push_back(tie.first);
+    const PointLocator<dim> locator(places);
+    for (std::size_t i = 0; i < ties.size(); ++i)
+      for (TiePoint<dim> &tie : ties[i])
+        if (const auto nearest = locator.find(
+              undeformed_place(pairs[i].first, tie),
+              diameter(secondary.facets[pairs[i].first].reference)))
+          tie.history = saved.ties[*nearest].second;
+    dissipated = keeps_sum ? saved.dissipated : 0.;
+  }
+
+
+  template <int dim>
+  Tensor<1, dim>
+  TieSweep<dim>::undeformed_place(const unsigned int   f,
+                                  const TiePoint<dim> &tie) const
+  {
+    const Facet<dim> &facet = secondary.facets[f].reference;
+    return interpolate(facet, shape_values<dim>(facet.n_vertices, tie.xi));
   }
 
 

@@ -18,6 +18,8 @@
 
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include <cmath>
 #include <tuple>
 #include <utility>
@@ -305,26 +307,27 @@ TEST(ShellSkin, ThicknessMayVaryFromVertexToVertex)
 // the loss of one, until they have parted; contact from in front stays one.
 TEST(ShellSkin, FacesThatMeetFromTheSideAreNoContactUntilTheyPart)
 {
-  const Tensor<1, 3>  up({0., 0., 1.});
-  const Plate<3>      left(2, [](const Point<3> &x) { return x; });
-  const Plate<3>      right(2, [](const Point<3> &x) {
+  const Tensor<1, 3> up({0., 0., 1.});
+  const Plate<3>     left(2, [](const Point<3> &x) { return x; });
+  const Plate<3>     right(2, [](const Point<3> &x) {
     return Point<3>(x[0] + 1.01, x[1], x[2]);
   });
-  const unsigned int  n_left = left.dof_handler.n_dofs();
-  ContactParameters   p;
-  ContactInterface<3> contact("shells", p, MPI_COMM_SELF);
-  contact.add_secondary(left.dof_handler,
-                        {{}, {}, true, false, false},
-                        left.skin(up));
-  contact.add_primary(right.dof_handler,
-                      {{}, {}, false, true, false},
-                      right.skin(up),
-                      "right",
-                      DoFNumbering(n_left));
-  contact.setup();
+  const unsigned int n_left  = left.dof_handler.n_dofs();
+  const auto         connect = [&](ContactInterface<3> &contact) {
+    contact.add_secondary(left.dof_handler,
+                          {{}, {}, true, false, false},
+                          left.skin(up));
+    contact.add_primary(right.dof_handler,
+                        {{}, {}, false, true, false},
+                        right.skin(up),
+                        "right",
+                        DoFNumbering(n_left));
+    contact.setup();
+  };
+  ContactInterface<3> contact("shells", {}, MPI_COMM_SELF);
+  connect(contact);
 
-  double     time = 0.;
-  const auto move = [&](const double x, const double z) {
+  const auto moved = [&](const double x, const double z) {
     Vector<double>                       u(n_left + right.dof_handler.n_dofs());
     std::vector<types::global_dof_index> dofs(right.fe.dofs_per_cell);
     for (const auto &cell : right.dof_handler.active_cell_iterators())
@@ -336,8 +339,12 @@ TEST(ShellSkin, FacesThatMeetFromTheSideAreNoContactUntilTheyPart)
             u(n_left + dofs[i])  = (c == 0) ? x : (c == 2) ? z : 0.;
           }
       }
+    return u;
+  };
+  double     time = 0.;
+  const auto move = [&](const double x, const double z) {
     time += 1.;
-    contact.update(u, time, false);
+    contact.update(moved(x, z), time, false);
     return contact.advice().accept;
   };
 
@@ -352,6 +359,14 @@ TEST(ShellSkin, FacesThatMeetFromTheSideAreNoContactUntilTheyPart)
       EXPECT_EQ(contact.report().force.norm(), 0.);
       contact.commit(time);
     }
+  // the same after saving and loading
+  std::stringstream saved;
+  contact.save(saved);
+  ContactInterface<3> again("shells", {}, MPI_COMM_SELF);
+  connect(again);
+  again.load(saved, moved(-0.02, 0.06));
+  again.update(moved(-0.02, 0.06), time + 1., false);
+  EXPECT_EQ(again.report().force.norm(), 0.);
   // they part, and meet again from in front
   for (const double x : {0.1, -0.3})
     {

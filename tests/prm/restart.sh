@@ -40,7 +40,7 @@ stop() { # FOLDER SIGNAL COMMAND...
   local folder=$1 signal=$2 code=0
   shift 2
   "$@" --quiet --output "$folder" &
-  until [ "$(wc -l < "$folder/history.csv" 2> /dev/null || echo 0)" -ge 2 ]; do
+  until [ -f "$folder/history.csv" ] && [ "$(wc -l < "$folder/history.csv")" -ge 2 ]; do
     kill -0 $! || fail "the run ended before its first step"
     sleep 0.05
   done
@@ -64,23 +64,62 @@ code=0
 run --output "$folder/hard" --set "Solver/Newton/Maximum iterations=1" \
   --set "Steps/Smallest step=0.06" > /dev/null || code=$?
 [ "$code" = 2 ] || fail "exit code $code instead of 2"
-[ -f "$folder/hard/checkpoint/rank-0" ] || fail "no checkpoint was saved"
+[ -f "$folder/hard/checkpoint/state" ] || fail "no checkpoint was saved"
 grep -q '"no convergence"' "$folder/hard/summary.json" || fail "wrong status"
 run --restart "$folder/hard" --output "$folder/hard"
 "$checker" "$folder/hard/summary.json" "$folder/whole/summary.json" 1e-7 any-steps ||
   fail "the rescued run differs"
 
-# damaged checkpoints are refused in words
-head -c 100 "$folder/whole/checkpoint/rank-0" > "$folder/short"
+# on other numbers of ranks the run is the same
+for ranks in 1 3; do
+  "$mpiexec" -n 2 "$driver" "$file" --quiet --output "$folder/to-$ranks" \
+    --set "Steps/Maximum steps=3"
+  "$mpiexec" -n "$ranks" "$driver" "$file" --quiet --restart "$folder/to-$ranks" \
+    --output "$folder/to-$ranks"
+  "$checker" "$folder/to-$ranks/summary.json" "$folder/whole/summary.json" 1e-9 ||
+    fail "the run continued on $ranks ranks differs"
+done
+
+# meshes that were refined on the way are refined again
+refined=(--set "Refinement/Every=2" --set "Refinement/Most levels=1"
+  --set "Refinement/Refine=0.3" --set "Steps/Maximum steps=5")
+run_alone --output "$folder/refined" "${refined[@]}"
+grep -q "refined: " "$folder/refined/run.log" || fail "nothing was refined"
+run_alone --output "$folder/refined-parts" "${refined[@]}" --set "Steps/Maximum steps=3"
+run_alone --restart "$folder/refined-parts" --output "$folder/refined-parts" "${refined[@]}"
+"$checker" "$folder/refined-parts/summary.json" "$folder/refined/summary.json" 0 ||
+  fail "the continued run with refined meshes differs"
+
+# damaged checkpoints, and those of others, are refused in words
+refused() { # FOLDER WORDS ENTRY=VALUE...
+  local code=0 from=$1 words=$2
+  shift 2
+  run --restart "$from" --output "$folder/new" "$@" 2> "$folder/message" || code=$?
+  [ "$code" = 1 ] || fail "exit code $code instead of 1 for: $words"
+  grep -q "$words" "$folder/message" || fail "$(cat "$folder/message")"
+}
 cp -r "$folder/whole" "$folder/damaged"
-cp "$folder/short" "$folder/damaged/checkpoint/rank-0"
+head -c 1000 "$folder/whole/checkpoint/state" > "$folder/damaged/checkpoint/state"
+refused "$folder/damaged" "damaged or truncated"
+size=$(stat -c %s "$folder/whole/checkpoint/state")
+cp "$folder/whole/checkpoint/state" "$folder/damaged/checkpoint/state"
+printf 'x' | dd of="$folder/damaged/checkpoint/state" bs=1 seek=$((size / 2)) \
+  conv=notrunc status=none
+refused "$folder/damaged" "damaged or truncated"
+echo "something else" > "$folder/damaged/checkpoint/state"
+refused "$folder/damaged" "another version"
+refused "$folder/nowhere" "no such file"
+refused "$folder/whole" "another scene" --set "Rubber/Cells=6, 3, 9"
+
+# where the disk is full (here: the file cannot be opened) the last one is kept
+run --output "$folder/full" --set "Steps/Maximum steps=3"
+cp "$folder/full/checkpoint/state" "$folder/kept"
+mkdir "$folder/full/checkpoint/state.new"
 code=0
-run --restart "$folder/damaged" --output "$folder/new" 2> "$folder/message" || code=$?
-[ "$code" = 1 ] || fail "exit code $code for a damaged checkpoint"
-grep -q "damaged or truncated" "$folder/message" || fail "$(cat "$folder/message")"
-code=0
-"$mpiexec" -n 1 "$driver" "$file" --quiet --restart "$folder/whole" \
-  --output "$folder/new" 2> "$folder/message" || code=$?
-[ "$code" = 1 ] || fail "exit code $code for another number of ranks"
-grep -q "2 ranks" "$folder/message" || fail "$(cat "$folder/message")"
+run --restart "$folder/full" --output "$folder/full" 2> "$folder/message" || code=$?
+[ "$code" = 1 ] || fail "exit code $code where the checkpoint cannot be written"
+grep -q "cannot be written" "$folder/message" || fail "$(cat "$folder/message")"
+rmdir "$folder/full/checkpoint/state.new"
+cmp "$folder/full/checkpoint/state" "$folder/kept" ||
+  fail "the previous checkpoint was lost"
 echo "restart: all as expected"

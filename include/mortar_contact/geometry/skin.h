@@ -41,6 +41,18 @@ namespace MortarContact
     /// Whether this rank integrates over the facet where the skin is secondary.
     std::vector<char> is_owned;
   };
+
+  /// Where the facets of a skin are.
+  template <int dim>
+  inline std::vector<Facet<dim>>
+  current_facets(const Skin<dim> &skin)
+  {
+    std::vector<Facet<dim>> result;
+    result.reserve(skin.facets.size());
+    for (const ContactFacet<dim> &facet : skin.facets)
+      result.push_back(facet.current);
+    return result;
+  }
 } // namespace MortarContact
 
 #endif

@@ -202,12 +202,22 @@ namespace MortarContact
       return last_report;
     }
 
-    /// Write the complete state of this rank, or continue from it. The mesh,
-    /// the parameters and the number of ranks must be the same.
+    /// Write the complete state at the last commit(), the same on all ranks. It
+    /// knows neither of the mesh nor of ranks.
     void
     save(std::ostream &out) const;
+
+    /**
+     * Continue from what save() wrote, after setup(), with the displacements
+     * @p u at that commit(). The surfaces and parameters must be the same; mesh
+     * and number of ranks need not: history follows the undeformed places of
+     * the material points. All ranks must get the same text.
+     *
+     * @throw ExcMessage if the state belongs to another interface.
+     */
+    template <class VectorType>
     void
-    load(std::istream &in);
+    load(std::istream &in, const VectorType &u);
 
     /**
      * Largest difference between the tangent and central differences of the
@@ -338,6 +348,13 @@ namespace MortarContact
     std::vector<char>
     pairs_behind(const ContactSweep<dim> &sweep, const unsigned int i) const;
 
+    /// Evaluate all sweeps where the surfaces are.
+    /// @param share What is left of the initial penetrations.
+    void
+    evaluate_sweeps(const double share,
+                    const double time,
+                    const bool   with_tangent);
+
     void
     detect_initial_penetrations();
 
@@ -380,6 +397,10 @@ namespace MortarContact
                std::vector<double>                          &residual,
                FullMatrix<double>                           &tangent) const;
 
+    /// Place of one dof among those fetched.
+    std::size_t
+    place_of(const types::global_dof_index dof) const;
+
     /// Value of one dof as fetched by fetch().
     double
     value(const types::global_dof_index dof) const;
@@ -391,6 +412,9 @@ namespace MortarContact
 
     void
     fetch_owned(const IndexSet &owned, const std::vector<double> &values);
+
+    void
+    load_at_fetched(std::istream &in);
 
     void
     evaluate(const double time, const bool with_tangent);

@@ -138,6 +138,16 @@ namespace MortarContact
 
   template <int dim>
   template <class VectorType>
+  void
+  ContactInterface<dim>::load(std::istream &in, const VectorType &u)
+  {
+    fetch(u);
+    load_at_fetched(in);
+  }
+
+
+  template <int dim>
+  template <class VectorType>
   double
   ContactInterface<dim>::check_tangent(const VectorType  &u,
                                        const double       time,

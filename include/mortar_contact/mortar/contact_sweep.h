@@ -5,6 +5,7 @@
 #include <mortar_contact/geometry/skin.h>
 #include <mortar_contact/mortar/pair_kernel.h>
 #include <mortar_contact/state/contact_history.h>
+#include <mortar_contact/state/surface_history.h>
 
 #include <utility>
 #include <vector>
@@ -186,11 +187,34 @@ namespace MortarContact
       return history;
     }
 
-    /// Continue from a saved state().
+    /// What this rank's facets remember, free of numbers.
+    SurfaceHistory<dim>
+    surface_history() const;
+
+    /**
+     * Continue from the histories of all ranks' facets, on whatever mesh they
+     * were. A facet with the same vertices takes over what it was; material
+     * points of others get what the saved ones say where they are. The skins
+     * must be where they were accepted.
+     * @param follows_openings Levels on another mesh are those saved (treatment
+     *        `track`); else those that detect_initial() found on this one.
+     */
+    void
+    continue_from(const SurfaceHistory<dim> &saved,
+                  const bool                 follows_openings);
+
+  private:
+    std::vector<FacetHistory<dim>>
+    facet_histories() const;
+
+    /// Pairs of facets of this mesh that are parts of the pairs saved.
+    std::vector<std::pair<unsigned int, unsigned int>>
+    pairs_like(
+      const std::vector<typename SurfaceHistory<dim>::PairAside> &saved) const;
+
     void
     restore(const ContactHistory<dim> &saved);
 
-  private:
     /// State of an owned facet; @p slip is filled where there is friction, and
     /// must outlive the result.
     SecondaryState<dim>

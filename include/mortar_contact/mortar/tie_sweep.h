@@ -83,13 +83,20 @@ namespace MortarContact
       return opening;
     }
 
-    /// The history of all ties, to be saved and restored.
-    std::vector<TieHistory>
-    state() const;
+    /// What this rank's ties remember.
+    TiesHistory<dim>
+    history() const;
+
+    /// Continue from the ties of all ranks: each tie takes over what the
+    /// nearest of those saved remembers.
+    /// @param keeps_sum Whether this rank counts what was dissipated.
     void
-    restore(const std::vector<TieHistory> &saved);
+    continue_from(const TiesHistory<dim> &saved, const bool keeps_sum);
 
   private:
+    Tensor<1, dim>
+    undeformed_place(const unsigned int facet, const TiePoint<dim> &tie) const;
+
     const Skin<dim>  &secondary;
     const Skin<dim>  &primary;
     const TieLaw<dim> law;

@@ -4,8 +4,6 @@
 
 #include <mortar_contact/geometry/facet.h>
 
-#include <boost/serialization/utility.hpp>
-
 #include <utility>
 #include <vector>
 
@@ -32,11 +30,11 @@ namespace MortarContact
     const std::array<PlanePoint<dim>, max_vertices<dim>> &at_points);
 
   /**
-   * State of the secondary facets of one sweep that a rank owns. It lives on
-   * material points, never on pairs, so nothing breaks when a point meets
-   * another facet. Changes in commit() only. Allocated where a scene needs it:
-   * an interface without initial penetrations, releases and friction stores
-   * nothing.
+   * State of the secondary facets of one sweep that a rank owns. What carries
+   * force lives on material points, never on pairs, so nothing breaks when a
+   * point meets another facet. Changes in commit() only. Allocated where a
+   * scene needs it: an interface without initial penetrations, releases and
+   * friction stores nothing.
    */
   template <int dim>
   struct ContactHistory
@@ -73,14 +71,6 @@ namespace MortarContact
 
     /// What was left of the levels at the end of the last accepted step.
     double share = 0.;
-
-    template <class Archive>
-    void
-    serialize(Archive &archive, const unsigned int)
-    {
-      archive &level &released &aside &elastic_slip &sliding &augmentation &tied
-        &before &share;
-    }
   };
 } // namespace MortarContact
 
