@@ -36,7 +36,7 @@ COARSE = [
     "Bodies/roller/Mesh/Local refinements=0",
     "Steps/First step=1",
     # that of the cells would change the contact stiffness from facet to facet
-    "Contact/contact/Characteristic length=0.2",
+    "Contact/contact/Characteristic length=1",
 ]
 
 
