@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// The leaflets of a heart valve open and close under a prescribed difference of
-// pressure; they meet each other, their free edges and the wall of the sinuses
-// in contact.
+// The leaflets of a heart valve open and close in a lumped fluid, or under a
+// prescribed difference of pressure; they meet each other, their free edges and
+// the wall of the sinuses in contact.
 
 #include "geometry/leaflet.h"
 #include "structure/driver.h"
@@ -49,12 +49,22 @@ namespace
     SinusWall::declare(prm);
     prm.leave_subsection();
     prm.enter_subsection("Load");
+    prm.declare_entry(
+      "Type",
+      "fluid",
+      Patterns::Selection("fluid|pressure"),
+      "fluid: an incompressible one around the leaflets, driven "
+      "by the pressure of the ventricle and solved together with "
+      "them, see 'Fluid'. pressure: prescribed.");
     prm.declare_entry("Pressure",
                       "if(t < 0.02, 1e6*t, if(t < 0.1, 2e4, "
                       "if(t < 0.13, 2e4 - 4e6*(t - 0.1), -1e5)))",
                       Patterns::Anything(),
                       "Of the ventricle less that of the aorta, a formula of "
                       "t: positive opens the valve [pressure].");
+    prm.leave_subsection();
+    prm.enter_subsection("Fluid");
+    FluidParameters::declare(prm);
     prm.leave_subsection();
     prm.enter_subsection("Contact");
     MortarContact::ContactParameters::declare(prm);
@@ -117,16 +127,34 @@ namespace
     scene.bodies.push_back(body);
     scene.conditions.push_back(attached);
 
-    BoundaryCondition pressure;
-    pressure.name       = "pressure";
-    pressure.body       = body.name;
-    pressure.type       = BoundaryCondition::Type::pressure;
-    pressure.on_surface = true;
     prm.enter_subsection("Load");
-    // on the top, towards the aorta, it would close
-    pressure.values[0] = "-(" + prm.get("Pressure") + ")";
+    const bool has_fluid = prm.get("Type") == "fluid";
+    if (!has_fluid)
+      {
+        BoundaryCondition pressure;
+        pressure.name       = "pressure";
+        pressure.body       = body.name;
+        pressure.type       = BoundaryCondition::Type::pressure;
+        pressure.on_surface = true;
+        // on the top, towards the aorta, it would close
+        pressure.values[0] = "-(" + prm.get("Pressure") + ")";
+        scene.conditions.push_back(pressure);
+      }
     prm.leave_subsection();
-    scene.conditions.push_back(pressure);
+    prm.enter_subsection("Fluid");
+    if (has_fluid)
+      {
+        ValveParameters &valve = scene.valve;
+        valve.is_on            = true;
+        valve.body             = body.name;
+        valve.free_edge        = Leaflet::free_edge;
+        valve.tube_area    = numbers::PI * leaflet->radius * leaflet->radius;
+        valve.multiplicity = is_one ? 3. : 1.;
+        valve.fluid.read(prm);
+        if (valve.fluid.closed_area == 0.)
+          valve.fluid.closed_area = 3. * leaflet->radius * leaflet->thickness;
+      }
+    prm.leave_subsection();
 
     // Step 2: what they touch.
     InterfaceParameters contact;
@@ -181,6 +209,9 @@ namespace
       }
     prm.leave_subsection();
     read_run(prm, scene);
+    AssertThrow(!has_fluid || scene.dynamics.is_on,
+                ExcMessage("'Load/Type' is 'fluid' but 'Dynamics/Type' is "
+                           "'static'; expected 'dynamic', or 'pressure'."));
     check_scene(scene);
     return scene;
   }

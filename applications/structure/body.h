@@ -125,6 +125,12 @@ namespace Structure
     virtual std::vector<types::boundary_id>
     boundary_ids() const = 0;
 
+    virtual std::set<types::material_id>
+    material_ids() const = 0;
+
+    virtual types::material_id
+    material_of(const unsigned int cell) const = 0;
+
     /// Undeformed vertices.
     virtual const std::vector<Point<dim>> &
     vertices() const = 0;

@@ -29,6 +29,8 @@ namespace Structure
     std::vector<std::vector<double>> vectors;
     /// By body, see Body::history().
     std::vector<std::vector<double>> histories;
+    /// See ValveFluid::history(); empty: none.
+    std::vector<double> fluid;
     /// By interface, see ContactInterface::save().
     std::vector<std::string> interfaces;
 
@@ -37,7 +39,7 @@ namespace Structure
     serialize(Archive &archive, const unsigned int)
     {
       archive &parameters &time &next_step &step &cut_backs &newton_iterations
-        &linear_iterations &refinements &vectors &histories &interfaces;
+        &linear_iterations &refinements &vectors &histories &fluid &interfaces;
     }
   };
 

@@ -54,6 +54,34 @@ namespace Structure
       return mumps.infog[0];
     }
 
+    /// Solve with the factors of the matrix.
+    int
+    backsolve_with(const TrilinosWrappers::MPI::Vector &rhs,
+                   TrilinosWrappers::MPI::Vector       &x)
+    {
+      const int n = counts[Utilities::MPI::this_mpi_process(communicator)];
+      MPI_Gatherv(rhs.begin(),
+                  n,
+                  MPI_DOUBLE,
+                  all.data(),
+                  counts.data(),
+                  firsts.data(),
+                  MPI_DOUBLE,
+                  0,
+                  communicator);
+      const int error = run(backsolve);
+      MPI_Scatterv(all.data(),
+                   counts.data(),
+                   firsts.data(),
+                   MPI_DOUBLE,
+                   x.begin(),
+                   n,
+                   MPI_DOUBLE,
+                   0,
+                   communicator);
+      return error;
+    }
+
     int &
     control(const unsigned int i)
     {
@@ -175,25 +203,7 @@ namespace Structure
     if (error >= 0)
       {
         d.pattern = pattern;
-        MPI_Gatherv(rhs.begin(),
-                    d.counts[Utilities::MPI::this_mpi_process(d.communicator)],
-                    MPI_DOUBLE,
-                    d.all.data(),
-                    d.counts.data(),
-                    d.firsts.data(),
-                    MPI_DOUBLE,
-                    0,
-                    d.communicator);
-        error = d.run(backsolve);
-        MPI_Scatterv(d.all.data(),
-                     d.counts.data(),
-                     d.firsts.data(),
-                     MPI_DOUBLE,
-                     x.begin(),
-                     d.counts[Utilities::MPI::this_mpi_process(d.communicator)],
-                     MPI_DOUBLE,
-                     0,
-                     d.communicator);
+        error     = d.backsolve_with(rhs, x);
       }
     const int singular_matrix[] = {-6, -10};
     AssertThrow(error >= 0 || std::find(std::begin(singular_matrix),
@@ -207,5 +217,16 @@ namespace Structure
                               "mesh or 'Solver/Linear/Type = iterative'." :
                               ", see its manual.")));
     return error >= 0 && std::isfinite(x.l2_norm());
+  }
+
+
+  void
+  DirectSolver::solve_again(const TrilinosWrappers::MPI::Vector &rhs,
+                            TrilinosWrappers::MPI::Vector       &x)
+  {
+    const int error = data->backsolve_with(rhs, x);
+    AssertThrow(error >= 0,
+                ExcMessage("The direct solver (MUMPS) failed with error " +
+                           std::to_string(error) + ", see its manual."));
   }
 } // namespace Structure

@@ -34,6 +34,11 @@ namespace Structure
           const TrilinosWrappers::MPI::Vector  &rhs,
           TrilinosWrappers::MPI::Vector        &x);
 
+    /// Solve with the matrix of the last solve(), which was regular.
+    void
+    solve_again(const TrilinosWrappers::MPI::Vector &rhs,
+                TrilinosWrappers::MPI::Vector       &x);
+
   private:
     struct Data;
     std::unique_ptr<Data> data;

@@ -110,7 +110,9 @@ namespace Structure
           }
         return result;
       }
-    const bool iterative = parameters.is_iterative(dim, model.n_dofs());
+    // the fluid's part of the tangent needs the factors
+    const bool iterative =
+      !model.fluid && parameters.is_iterative(dim, model.n_dofs());
     if (iterative)
       {
         make_multigrid(model);
@@ -146,7 +148,36 @@ namespace Structure
     result.converged =
       direct.solve(model.matrix, model.n_patterns, model.rhs, x);
     result.is_singular = !result.converged;
+    if (model.fluid && result.converged)
+      add_low_rank(model.fluid->columns, model.fluid->rows, x);
     return result;
+  }
+
+
+  template <int dim>
+  void
+  LinearSolver<dim>::add_low_rank(const std::vector<Vector_t> &columns,
+                                  const std::vector<Vector_t> &rows,
+                                  Vector_t                    &x)
+  {
+    const unsigned int n = columns.size();
+    if (n == 0)
+      return;
+    FullMatrix<double>    small(n, n);
+    Vector<double>        right(n), factors(n);
+    std::vector<Vector_t> y(n, x);
+    for (unsigned int i = 0; i < n; ++i)
+      direct.solve_again(columns[i], y[i]);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        right(i) = rows[i] * x;
+        for (unsigned int j = 0; j < n; ++j)
+          small(i, j) = (i == j ? 1. : 0.) - rows[i] * y[j];
+      }
+    small.gauss_jordan();
+    small.vmult(factors, right);
+    for (unsigned int i = 0; i < n; ++i)
+      x.add(factors(i), y[i]);
   }
 
 

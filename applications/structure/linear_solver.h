@@ -73,6 +73,14 @@ namespace Structure
     void
     make_multigrid(Model<dim> &model);
 
+    /// From the solution x of K x = r to that of (K - sum c_i r_i^T) x = r
+    /// (Sherman, Morrison and Woodbury), K the last matrix of the direct
+    /// solver.
+    void
+    add_low_rank(const std::vector<Vector_t> &columns,
+                 const std::vector<Vector_t> &rows,
+                 Vector_t                    &x);
+
     const LinearSolverParameters parameters;
     DirectSolver                 direct;
 

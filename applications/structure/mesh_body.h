@@ -56,6 +56,21 @@ namespace Structure
       return triangulation.get_boundary_ids();
     }
 
+    std::set<types::material_id>
+    material_ids() const override
+    {
+      std::set<types::material_id> ids;
+      for (const auto &cell : triangulation.active_cell_iterators())
+        ids.insert(cell->material_id());
+      return ids;
+    }
+
+    types::material_id
+    material_of(const unsigned int cell) const override
+    {
+      return local_cells[cell]->material_id();
+    }
+
     const std::vector<Point<spacedim>> &
     vertices() const override
     {

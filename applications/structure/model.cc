@@ -625,6 +625,19 @@ namespace Structure
         failure = f;
 
     add_concentrated_loads(time, with_tangent);
+    if (fluid)
+      {
+        TimerOutput::Scope scope(timer, "assembly: fluid");
+        fluid->assemble(u_ghosted,
+                        ghosted(integration.u_n),
+                        time,
+                        dynamic ? integration.dt : 0.,
+                        constraints,
+                        none,
+                        with_tangent ? &matrix : nullptr,
+                        rhs,
+                        external);
+      }
 
     // Step 3: contact.
     {
@@ -774,6 +787,8 @@ namespace Structure
   {
     for (const auto &b : bodies)
       b->commit();
+    if (fluid)
+      fluid->commit();
     if (is_dynamic())
       integration.commit(u, static_forces());
   }

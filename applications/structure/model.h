@@ -6,6 +6,7 @@
 #include "dynamics.h"
 #include "loads.h"
 #include "rigid_dofs.h"
+#include "valve_fluid.h"
 
 #include <mortar_contact/mortar_contact.h>
 
@@ -49,6 +50,9 @@ namespace Structure
 
     /// Rigid bodies with free motions; before number_dofs().
     std::vector<RigidDofs<dim>> rigid_dofs;
+
+    /// A fluid, in dynamic runs; before setup(). Null: none.
+    std::unique_ptr<ValveFluid<dim>> fluid;
 
     /// Diagonal of the box around all bodies [m].
     double

@@ -90,6 +90,7 @@ namespace Structure
     std::vector<InterfaceParameters> interfaces;
     StepParameters                   steps;
     RefinementParameters             refinement;
+    ValveParameters                  valve;
     NewtonParameters                 newton;
     LinearSolverParameters           linear;
     OutputParameters                 output;

@@ -293,6 +293,11 @@ namespace Structure
         interface->setup();
         model.interfaces.push_back(std::move(interface));
       }
+    model.fluid.reset();
+    if (scene.valve.is_on)
+      for (const auto &b : model.bodies)
+        if (b->name == scene.valve.body)
+          model.fluid = std::make_unique<ValveFluid<dim>>(scene.valve, *b);
     model.setup(scene.linear.is_iterative(dim, model.n_dofs()));
     u = model.make_vector();
     if (scene.newton.predicts || scene.refinement.is_on())
@@ -750,6 +755,11 @@ namespace Structure
         for (unsigned int i = 0; i < dim; ++i)
           row.emplace_back(std::string("momentum_") + "xyz"[i], momentum[i]);
       }
+    if (model.fluid)
+      {
+        const auto values = model.fluid->record();
+        row.insert(row.end(), values.begin(), values.end());
+      }
     for (unsigned int c = 0; c < model.conditions.size(); ++c)
       if (model.conditions[c].type == BoundaryCondition::Type::displacement ||
           model.conditions[c].type == BoundaryCondition::Type::symmetry)
@@ -837,6 +847,9 @@ namespace Structure
         j["initial_deepest_penetration"] = r.initial.deepest.penetration;
         j["initial_undetected_facets"]   = r.initial.n_undetected;
       }
+    if (model.fluid)
+      for (const auto &[name, value] : model.fluid->record())
+        json["fluid"][name.substr(name.find(':') + 1)] = value;
     for (const auto &body : rigid_bodies)
       {
         const auto [force, moment]                 = resultant(*body);

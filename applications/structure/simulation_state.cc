@@ -162,6 +162,8 @@ namespace Structure
       }
     for (const auto &b : model.bodies)
       c.histories.push_back(b->history());
+    if (model.fluid)
+      c.fluid = model.fluid->history();
     for (const auto &interface : model.interfaces)
       {
         std::ostringstream out;
@@ -232,6 +234,9 @@ namespace Structure
       }
     for (std::size_t b = 0; b < c.histories.size(); ++b)
       model.bodies[b]->restore(c.histories[b]);
+    fits(c.fluid.empty() == !model.fluid, "one has a fluid, one has none");
+    if (model.fluid)
+      model.fluid->restore(c.fluid);
     for (std::size_t i = 0; i < c.interfaces.size(); ++i)
       {
         std::istringstream in(c.interfaces[i]);
