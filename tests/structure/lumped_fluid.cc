@@ -189,7 +189,7 @@ namespace
                         << body("plate",
                                 "Lower corner = -0.5, -0.5|Upper corner = 0.5, "
                                 "0.5|Cells = 6, 6",
-                                "Law = St. Venant-Kirchhoff|Young's modulus = "
+                                "Young's modulus = "
                                 "1e6|Poisson's ratio = 0.3|Density = 1e-3",
                                 "Type = shell|Thickness = 0.02")
                         << more << "subsection Output\nset Directory = output-"
@@ -292,7 +292,7 @@ TEST(ValveFluid, APlateOfNoMassOscillatesWithTheBloodBehindAndBefore)
   valve.fluid.closed_area           = 10.;
   valve.fluid.leak                  = 1e-8;
   valve.fluid.jet_length            = 1e3; // no jet through the leak
-  valve.fluid.ventricle             = "1e5 + 1";
+  valve.fluid.ventricle             = "1e5 + 0.01";
 
   // Step 1: the plate's stiffness.
   double stiffness = 0.;
@@ -302,7 +302,7 @@ TEST(ValveFluid, APlateOfNoMassOscillatesWithTheBloodBehindAndBefore)
       names("plate", "clamp, load", "") + clamp +
         condition("load",
                   "Body = plate|Type = pressure|On surface = true|Pressure = "
-                  "1") +
+                  "0.01") +
         solver(),
       {},
       log);
@@ -325,7 +325,7 @@ TEST(ValveFluid, APlateOfNoMassOscillatesWithTheBloodBehindAndBefore)
         b.add_load(cell, unit, flat, 0., forces, none);
         volume += forces * values;
       }
-    stiffness = 1. / Utilities::MPI::sum(volume, MPI_COMM_WORLD);
+    stiffness = 0.01 / Utilities::MPI::sum(volume, MPI_COMM_WORLD);
   }
 
   // Step 2: times at which the volume passes its mean, after the first period.
@@ -345,7 +345,7 @@ TEST(ValveFluid, APlateOfNoMassOscillatesWithTheBloodBehindAndBefore)
   double              last_time = 0., last = 0.;
   s->after_step = [&](Simulation<3> &now) {
     const double volume =
-      now.model.fluid->history().back() * stiffness + 1.; // of mean -1
+      now.model.fluid->history().back() * stiffness + 0.01;
     if (last * volume < 0.)
       passes.push_back(last_time +
                        (now.time - last_time) * last / (last - volume));
@@ -354,6 +354,5 @@ TEST(ValveFluid, APlateOfNoMassOscillatesWithTheBloodBehindAndBefore)
   };
   EXPECT_EQ(s->run(), finished);
   ASSERT_GE(passes.size(), 4u);
-  // the integration lengthens periods by (omega dt)^2 / 3 or so
   EXPECT_NEAR((passes[3] - passes[1]) / period, 1., 2e-3);
 }
