@@ -79,7 +79,7 @@ namespace
     prm.set("Mass damping", 2000.);
     prm.leave_subsection();
     prm.enter_subsection("Steps");
-    prm.set("End time", 0.2);
+    prm.set("End time", 0.29);
     prm.set("First step", 1e-3);
     prm.set("Largest step", 4e-3);
     prm.leave_subsection();

@@ -4,8 +4,8 @@
 Usage: scripts/valve_pictures.py FOLDER
 
 Writes FOLDER/valve.png (the leaflets from the aorta and from the side, at six times)
-and FOLDER/valve_history.png (force of the leaflets on the tube and of the contact, over
-time).
+and FOLDER/valve_history.png (over time: force of the leaflets on the tube and area in
+contact; with a fluid also pressures, flow, orifice, and what the leaflets sweep).
 """
 import csv
 import os
@@ -31,9 +31,13 @@ def main():
         rows = list(csv.DictReader(file))
     time = np.array([float(row["time"]) for row in rows])
 
-    # states that differ: equal shares of the path of the force on the tube
+    # states that differ: equal shares of the path of the volume that the leaflets sweep,
+    # or of the force on the tube
     force = np.array([float(row["reaction:attachment_z"]) for row in rows])
-    path = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(force)))])
+    moves = force
+    if "fluid:lumen_volume_change" in rows[0]:
+        moves = np.array([float(row["fluid:lumen_volume_change"]) for row in rows])
+    path = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(moves)))])
     path = path / max(path[-1], 1e-300) + time / time[-1]
     times = [0.0] + [float(np.interp(s * path[-1], path, time)) for s in (0.2, 0.4, 0.6, 0.8, 1.0)]
     figure = plt.figure(figsize=(3 * len(times), 6))
@@ -73,16 +77,33 @@ def main():
     figure.tight_layout()
     figure.savefig(os.path.join(folder, "valve.png"), dpi=110)
 
-    figure, axis = plt.subplots(figsize=(7, 4))
+    def series(name):
+        return [float(row[name]) for row in rows]
+
+    has_fluid = "fluid:jet" in rows[0]
+    figure, axes = plt.subplots(
+        5 if has_fluid else 1, 1, figsize=(7, 11 if has_fluid else 4), sharex=True, squeeze=False
+    )
+    axis = axes[-1, 0]
     axis.plot(time, -force, ".-", markersize=3, label="on the tube, up")
+    twin = axis.twinx()
     for column in rows[0]:
         if column.endswith(":active_area"):
-            twin = axis.twinx() if not figure.axes[1:] else figure.axes[1]
-            twin.plot(
-                time, [float(row[column]) for row in rows], "--", label="contact area, " + column[:-12]
-            )
-            twin.set_ylabel("area in contact")
-            twin.legend(loc="lower right")
+            twin.plot(time, series(column), "--", label="contact area, " + column[:-12])
+    twin.set_ylabel("area in contact")
+    twin.legend(loc="lower right")
+    if has_fluid:
+        panels = [
+            ("pressure", ["ventricle_pressure", "lumen_pressure", "aortic_pressure"]),
+            ("flow", ["jet", "aortic_flow"]),
+            ("area", ["orifice_area", "edge_area"]),
+            ("volume", ["sinus_1_volume_change", "lumen_volume_change"]),
+        ]
+        for panel, (label, names) in zip(axes[:, 0], panels):
+            for name in names:
+                panel.plot(time, series("fluid:" + name), label=name.replace("_", " "))
+            panel.set_ylabel(label)
+            panel.legend(fontsize=8)
     axis.set_xlabel("time")
     axis.set_ylabel("force")
     axis.legend(loc="upper left")

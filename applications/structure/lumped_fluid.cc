@@ -14,9 +14,11 @@ namespace Structure
     // centimetres, grams, seconds; 1333 dyn/cm^2 are 1 mm Hg
     prm.declare_entry(
       "Ventricle pressure",
-      "1.6e4 + 1.5e5*sin(pi*min(max((t - floor(t/0.8)*0.8 - 0.1)/0.32, 0), 1))",
+      "1.6e4 + 1.5e5*sin(pi*min(max((t - floor(t/0.8)*0.8 - 0.04)/0.32, 0), "
+      "1))",
       Patterns::Anything(),
-      "A formula of t [pressure].");
+      "A formula of t [pressure]. The default: a beat of 0.8 s, its systole from "
+      "0.04 to 0.36 s.");
     prm.declare_entry("Density", "1.06", positive, "[mass/volume]");
     prm.declare_entry(
       "Inlet resistance",

@@ -48,6 +48,11 @@ namespace Structure
     /// falls below this share.
     constexpr double enough = 0.9;
 
+    /// Iterations after which updates of shells are shortened, too, where a
+    /// first try (with extrapolated stresses) has failed: contact of edges may
+    /// come and go for ever.
+    constexpr unsigned int chatter_after = 8;
+
     /// Trials of the line search.
     constexpr unsigned int max_trials = 4;
   } // namespace
@@ -199,8 +204,11 @@ namespace Structure
         const Vector_t u_before      = u;
         const Vector_t p_before      = model.pressures.value;
         // nor with pressures as unknowns: a saddle point has no descent
-        const bool search = parameters.line_search != "none" && at_target &&
-                            !has_shells && !model.pressures.are_on;
+        const bool search =
+          parameters.line_search != "none" && at_target &&
+          (!has_shells ||
+           (!mixed_points && iterate.iteration > chatter_after)) &&
+          !model.pressures.are_on;
         for (unsigned int trial = 0;; ++trial)
           {
             u = u_before;
