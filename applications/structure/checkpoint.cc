@@ -52,10 +52,11 @@ namespace Structure
         fs::create_directories(fs::path(file).parent_path(), error);
         try
           {
-            std::ostringstream text;
-            boost::archive::binary_oarchive(text) << checkpoint;
-            std::ofstream out(fresh, std::ios::binary);
-            out << magic << sum_of(text.str()) << '\n' << text.str();
+            std::ostringstream stream;
+            boost::archive::binary_oarchive(stream) << checkpoint;
+            const std::string text = stream.str();
+            std::ofstream     out(fresh, std::ios::binary);
+            out << magic << sum_of(text) << '\n' << text;
             out.close();
             ok = !out.fail();
           }

@@ -595,7 +595,6 @@ namespace Structure
             refine_and_go_back(target, start))
           {
             ++cycles;
-            next_step = target - time;
             continue;
           }
         cycles = 0;

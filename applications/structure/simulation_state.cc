@@ -153,11 +153,12 @@ namespace Structure
     c.newton_iterations = newton_iterations;
     c.linear_iterations = linear_iterations;
     c.refinements       = refinements;
+    const auto dofs     = dofs_in_order();
     for (const Vector_t *v : saved_vectors())
       {
         const Vector<double> all(*v);
         c.vectors.emplace_back();
-        for (const auto dof : dofs_in_order())
+        for (const auto dof : dofs)
           c.vectors.back().push_back(all(dof));
       }
     for (const auto &b : model.bodies)
