@@ -344,8 +344,7 @@ TEST(ValveFluid, APlateOfNoMassOscillatesWithTheBloodBehindAndBefore)
   std::vector<double> passes;
   double              last_time = 0., last = 0.;
   s->after_step = [&](Simulation<3> &now) {
-    const double volume =
-      now.model.fluid->history().back() * stiffness + 0.01;
+    const double volume = now.model.fluid->history().back() * stiffness + 0.01;
     if (last * volume < 0.)
       passes.push_back(last_time +
                        (now.time - last_time) * last / (last - volume));
