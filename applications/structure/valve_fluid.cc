@@ -141,9 +141,15 @@ namespace Structure
       columns.assign(n,
                      Vector_t(rhs.locally_owned_elements(),
                               rhs.get_mpi_communicator()));
+    // Step 1: the orifice, and what the leaflets sweep.
+    std::vector<types::global_dof_index> edge_dofs;
+    std::vector<double>                  by_dof;
+    double                               slope = 0.;
+    area                                       = polygon(u, edge_dofs, by_dof);
+    orifice                                    = fluid->orifice(area, slope);
+    p_ventricle = ventricle.value(Point<dim>(), time);
     if (dt > 0.)
       {
-        // Step 1: what the leaflets sweep, and the orifice.
         std::vector<Vector_t> by_motion(n,
                                         Vector_t(rhs.locally_owned_elements(),
                                                  rhs.get_mpi_communicator()));
@@ -167,12 +173,6 @@ namespace Structure
             constraints.distribute_local_to_global(row, dofs, by_motion[i]);
           }
         Utilities::MPI::sum(swept, rhs.get_mpi_communicator(), swept);
-        std::vector<types::global_dof_index> edge_dofs;
-        std::vector<double>                  by_dof;
-        area         = polygon(u, edge_dofs, by_dof);
-        double slope = 0.;
-        orifice      = fluid->orifice(area, slope);
-        p_ventricle  = ventricle.value(Point<dim>(), time);
         now = fluid->step(before, dt, p_ventricle, swept, orifice, loads);
         if (matrix != nullptr)
           {
