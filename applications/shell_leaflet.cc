@@ -25,13 +25,16 @@ namespace
                       Patterns::Selection("three|one"),
                       "one: a leaflet between two rigid planes through the "
                       "axis, which stand for its neighbours.");
-    prm.declare_entry("Mesh file",
-                      "",
-                      Patterns::Anything(),
-                      "All leaflets in a file of quadrilaterals or triangles "
-                      "in place of the sizes below (but thickness): the edges "
-                      "with boundary id 0 are attached, normals point to the "
-                      "aorta.");
+    prm.declare_entry(
+      "Mesh file",
+      "",
+      Patterns::Anything(),
+      "All leaflets in a file of quadrilaterals or triangles "
+      "in place of the sizes below (but thickness, and with a "
+      "fluid the radius, the tube's): the axis is z, edges with "
+      "boundary id 0 are attached, those with 1 free, each "
+      "leaflet has a material id of its own, normals point to "
+      "the aorta.");
     Leaflet::declare(prm);
     prm.declare_entry("Attachment",
                       "hinged",
@@ -75,7 +78,8 @@ namespace
     prm.enter_subsection("Dynamics");
     prm.set("Type", "dynamic");
     prm.set("Spectral radius", 0.);
-    // blood that is not there: without, leaflets fly
+    // drag of the blood beside the leaflets, which a lumped fluid does not
+    // know: without, leaflets flutter (under a prescribed pressure they fly)
     prm.set("Mass damping", 2000.);
     prm.leave_subsection();
     prm.enter_subsection("Steps");

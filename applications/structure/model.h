@@ -104,6 +104,13 @@ namespace Structure
     void
     resume_motion(const Vector_t &u, const double time);
 
+    /// Give hanging nodes of a field the values of what they hang on.
+    void
+    make_conforming(Vector_t &v) const
+    {
+      hanging.distribute(v);
+    }
+
     /// Accept the state of the last assembly, at @p u, as the end of a step.
     void
     commit(const Vector_t &u);

@@ -3,6 +3,7 @@
 
 #include "numbers_of.h"
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/patterns.h>
 #include <deal.II/base/utilities.h>
 
@@ -175,12 +176,17 @@ namespace Structure
     for (auto c = cells.rbegin(); c != cells.rend(); ++c)
       {
         held += c->error;
-        if (held > parameters.coarsen_share * sum)
+        if (parameters.coarsen_share == 0. ||
+            held > parameters.coarsen_share * sum)
           break;
-        if (flags[c->body][c->cell] == '.')
+        // not beyond the mesh that was given
+        if (flags[c->body][c->cell] == '.' &&
+            model.bodies[c->body]->level_of(c->cell) > 0)
           flags[c->body][c->cell] = 'c';
       }
-    return any ? flags : std::vector<std::string>();
+    // sums over ranks may differ in their last digit: one decides
+    return Utilities::MPI::broadcast(model.communicator,
+                                     any ? flags : std::vector<std::string>());
   }
 
 

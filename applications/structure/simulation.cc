@@ -112,8 +112,7 @@ namespace Structure
     if (model.is_dynamic())
       for (Vector_t *v : {&model.integration.v_n, &model.integration.a_n})
         vectors.push_back(v);
-    if (scene.newton.predicts || scene.refinement.is_on())
-      vectors.push_back(&rate);
+    vectors.push_back(&rate);
     return vectors;
   }
 
@@ -299,9 +298,8 @@ namespace Structure
         if (b->name == scene.valve.body)
           model.fluid = std::make_unique<ValveFluid<dim>>(scene.valve, *b);
     model.setup(scene.linear.is_iterative(dim, model.n_dofs()));
-    u = model.make_vector();
-    if (scene.newton.predicts || scene.refinement.is_on())
-      rate = model.make_vector();
+    u    = model.make_vector();
+    rate = model.make_vector();
 
     // the nodes nearest to the probes
     for (const ProbeParameters &p : scene.output.probes)
@@ -503,12 +501,9 @@ namespace Structure
           return advice.reason;
       }
     goes_again = false;
-    if (scene.newton.predicts || scene.refinement.is_on())
-      {
-        rate = trial;
-        rate -= u;
-        rate *= 1. / (new_time - time);
-      }
+    rate       = trial;
+    rate -= u;
+    rate *= 1. / (new_time - time);
     u = trial;
     return "";
   }

@@ -65,7 +65,7 @@ namespace Structure
     Model<dim>        model;
     LinearSolver<dim> linear_solver;
     Vector_t          u;    ///< Displacements of the last accepted state.
-    Vector_t          rate; ///< Of the last try that converged; if needed.
+    Vector_t          rate; ///< Of the last try that converged.
     double            time              = 0.;
     unsigned int      step              = 0; ///< Accepted steps.
     unsigned int      cut_backs         = 0;

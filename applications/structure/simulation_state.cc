@@ -59,6 +59,9 @@ namespace Structure
   {
     if (!scene.refinement.is_on())
       return;
+    AssertThrow(!scene.valve.is_on,
+                ExcMessage("'Refinement' is on, but there is a fluid; expected "
+                           "one of them."));
     std::string able;
     for (const auto &b : model.bodies)
       if (b->can_be_refined())
@@ -123,7 +126,10 @@ namespace Structure
     refinements.push_back(flags);
     connect();
     for (std::size_t i = 0; i < vectors.size(); ++i)
-      set_values_by_body(values[i], *vectors[i]);
+      {
+        set_values_by_body(values[i], *vectors[i]);
+        model.make_conforming(*vectors[i]); // where cells were coarsened
+      }
     for (unsigned int i = 0; i < model.interfaces.size(); ++i)
       {
         std::istringstream in(histories[i]);

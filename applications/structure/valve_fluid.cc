@@ -98,11 +98,13 @@ namespace Structure
   void
   ValveFluid<dim>::unit_forces(const unsigned int    cell,
                                const Vector<double> &u,
+                               const bool            with_tangent,
                                Vector<double>       &forces,
                                FullMatrix<double>   &tangent)
   {
     forces.reinit(u.size());
-    tangent.reinit(u.size(), u.size());
+    if (with_tangent)
+      tangent.reinit(u.size(), u.size());
     body.add_load(cell, unit_pressure, u, 0., forces, tangent);
   }
 
@@ -162,7 +164,7 @@ namespace Structure
               motion(a) -= u_n(dofs[a]);
             middle = values;
             middle.add(-0.5, motion);
-            unit_forces(cell, middle, forces, tangent);
+            unit_forces(cell, middle, matrix != nullptr, forces, tangent);
             swept[i] += forces * motion / dt;
             if (matrix == nullptr)
               continue;
@@ -213,7 +215,7 @@ namespace Structure
     for (unsigned int cell = 0; cell < body.n_local_cells(); ++cell)
       {
         const auto i = get(cell);
-        unit_forces(cell, values, forces, tangent);
+        unit_forces(cell, values, matrix != nullptr, forces, tangent);
         if (matrix != nullptr)
           {
             constraints.distribute_local_to_global(forces, dofs, columns[i]);

@@ -98,6 +98,7 @@ namespace Structure
     void
     unit_forces(const unsigned int    cell,
                 const Vector<double> &u,
+                const bool            with_tangent,
                 Vector<double>       &forces,
                 FullMatrix<double>   &tangent);
 

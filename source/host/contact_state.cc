@@ -15,8 +15,7 @@ namespace MortarContact
 {
   namespace
   {
-    /// Join what all ranks' facets remember; in the same order on all ranks and
-    /// with any number of them, so that sums do not change.
+    /// Join what all ranks remember; the same on all ranks.
     template <int dim>
     SurfaceHistory<dim>
     of_all_ranks(const SurfaceHistory<dim> &local, const MPI_Comm communicator)
@@ -50,12 +49,15 @@ namespace MortarContact
     boost::archive::binary_oarchive archive(out);
     const unsigned int              n        = sweeps.size();
     const bool                      has_ties = tie_sweep != nullptr;
-    archive << n << has_ties << last_report.n_released << committed_time
+    archive << n << has_ties << last_report.n_released
+            << last_report.n_augmentations_total << committed_time
             << dissipation;
     for (const auto &sweep : sweeps)
       {
         const auto history =
-          of_all_ranks(sweep->surface_history(), communicator);
+          of_all_ranks(sweep->surface_history(Utilities::MPI::logical_or(
+                         sweep->remembers(), communicator)),
+                       communicator);
         archive << history;
       }
     for (const auto &body : rigid_bodies)
@@ -86,8 +88,8 @@ namespace MortarContact
     bool                             has_ties = false;
     std::vector<SurfaceHistory<dim>> histories;
     TiesHistory<dim>                 ties;
-    archive >> n >> has_ties >> last_report.n_released >> committed_time >>
-      dissipation;
+    archive >> n >> has_ties >> last_report.n_released >>
+      last_report.n_augmentations_total >> committed_time >> dissipation;
     AssertThrow(n == sweeps.size() && has_ties == (tie_sweep != nullptr),
                 ExcMessage("The saved state belongs to an interface of another "
                            "kind than '" +

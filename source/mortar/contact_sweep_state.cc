@@ -17,6 +17,10 @@ namespace MortarContact
     /// A facet's centre is this near, in its diameters, to the facet of another
     /// mesh that it is part of.
     constexpr double same_facet = 0.25;
+
+    /// And lies within it by this much of its reference coordinates: centres of
+    /// its neighbours are moved to its edges by the search.
+    constexpr double inside = 1e-3;
   } // namespace
 
   template <int dim>
@@ -163,11 +167,7 @@ namespace MortarContact
   std::vector<FacetHistory<dim>>
   ContactSweep<dim>::facet_histories() const
   {
-    std::vector<FacetHistory<dim>> result;
-    if (history.level.empty() && history.released.empty() &&
-        history.elastic_slip.empty() && history.augmentation.empty())
-      return result;
-    result.resize(owned.size());
+    std::vector<FacetHistory<dim>> result(owned.size());
     for (unsigned int o = 0; o < owned.size(); ++o)
       {
         FacetHistory<dim> &h = result[o];
@@ -190,11 +190,21 @@ namespace MortarContact
 
 
   template <int dim>
+  bool
+  ContactSweep<dim>::remembers() const
+  {
+    return !history.level.empty() || !history.released.empty() ||
+           !history.elastic_slip.empty() || !history.augmentation.empty();
+  }
+
+
+  template <int dim>
   SurfaceHistory<dim>
-  ContactSweep<dim>::surface_history() const
+  ContactSweep<dim>::surface_history(const bool with_facets) const
   {
     SurfaceHistory<dim> result;
-    result.facets           = facet_histories();
+    if (with_facets)
+      result.facets = facet_histories();
     result.has_levels       = !history.level.empty();
     result.has_releases     = !history.released.empty();
     result.has_slip         = !history.elastic_slip.empty();
@@ -234,7 +244,9 @@ namespace MortarContact
     // mesh: the other surface may be another, too
     if (saved.has_levels && follows_openings && next.level.empty())
       next.level.resize(owned.size(), VertexValues<dim>{});
-    next.released.assign(saved.has_releases ? owned.size() : 0, false);
+    // so are facets that are too deep on it
+    if (saved.has_releases && next.released.empty())
+      next.released.resize(owned.size(), false);
     next.augmentation.assign(saved.has_augmentation ? owned.size() : 0,
                              VertexValues<dim>{});
     if (kernel.point.has_friction())
@@ -273,7 +285,8 @@ namespace MortarContact
         };
         if (saved.has_releases)
           if (const auto place = at(reference_centre<dim>(here.n_vertices)))
-            next.released[o] = saved.facets[place->facet].is_released;
+            next.released[o] =
+              next.released[o] || saved.facets[place->facet].is_released;
         const auto points = material_points<dim>(here.n_vertices);
         for (unsigned int q = 0; q < points.size(); ++q)
           {
@@ -347,7 +360,10 @@ namespace MortarContact
             const Facet<dim> &here = skin.facets[f].reference;
             const auto        place =
               locator.find(centre(here), centre_normal(here), skin.parts[f]);
-            if (!place || place->distance > same_facet * diameter(here))
+            if (!place || place->distance > same_facet * diameter(here) ||
+                !is_inside<dim>(old[place->facet].n_vertices,
+                                place->xi,
+                                -inside))
               continue;
             // one facet may be in several pairs
             const Facet<dim> &there = old[place->facet];
@@ -368,8 +384,10 @@ namespace MortarContact
 
   template std::vector<FacetHistory<2>>
   ContactSweep<2>::facet_histories() const;
+  template bool
+  ContactSweep<2>::remembers() const;
   template SurfaceHistory<2>
-  ContactSweep<2>::surface_history() const;
+  ContactSweep<2>::surface_history(const bool) const;
   template void
   ContactSweep<2>::continue_from(const SurfaceHistory<2> &, const bool);
   template void
@@ -395,8 +413,10 @@ namespace MortarContact
     const std::vector<typename SurfaceHistory<2>::PairAside> &) const;
   template std::vector<FacetHistory<3>>
   ContactSweep<3>::facet_histories() const;
+  template bool
+  ContactSweep<3>::remembers() const;
   template SurfaceHistory<3>
-  ContactSweep<3>::surface_history() const;
+  ContactSweep<3>::surface_history(const bool) const;
   template void
   ContactSweep<3>::continue_from(const SurfaceHistory<3> &, const bool);
   template void

@@ -227,7 +227,7 @@ namespace MortarContact
       for (TiePoint<dim> &tie : ties[i])
         if (const auto nearest = locator.find(
               undeformed_place(pairs[i].first, tie),
-              diameter(secondary.facets[pairs[i].first].reference)))
+              0.01 * diameter(secondary.facets[pairs[i].first].reference)))
           tie.history = saved.ties[*nearest].second;
     dissipated = keeps_sum ? saved.dissipated : 0.;
   }

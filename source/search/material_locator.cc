@@ -153,17 +153,18 @@ namespace MortarContact
 
   template <int dim>
   std::optional<unsigned int>
-  PointLocator<dim>::find(const Tensor<1, dim> &x, const double farthest) const
+  PointLocator<dim>::find(const Tensor<1, dim> &x,
+                          const double          first_reach) const
   {
     std::optional<unsigned int> best;
     double                      least = std::numeric_limits<double>::max();
-    for (double reach = first_reach * farthest;
-         reach < 1.01 * farthest && least > reach;
-         reach *= growth)
+    if (points.empty())
+      return best;
+    for (double reach = first_reach; least > reach; reach *= growth)
       for (const unsigned int i : broad_phase.find(box_of(x, reach)))
         {
           const double distance = (points[i] - x).norm();
-          if (distance < least && distance <= farthest)
+          if (distance < least)
             {
               least = distance;
               best  = i;

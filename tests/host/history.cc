@@ -231,6 +231,43 @@ TEST(History, DamageOfTiesFollowsToFinerMeshes)
 }
 
 
+// A state that some facets have does not spread to their neighbours, whatever
+// ranks they are on.
+TEST(History, ReleasedFacetsAreTheSameAfterLoading)
+{
+  ContactParameters p;
+  p.modulus               = 1000.;
+  p.characteristic_length = "0.2";
+  p.release               = ContactParameters::Release::report;
+  Blocks     blocks(0.02);
+  const auto tilted  = blocks.moved([](const Point<3> &x) {
+    return Tensor<1, 3>({0., 0., -0.4 * (x[0] - 0.45)});
+  });
+  auto       contact = blocks.interface(p);
+  contact->update(tilted, 1.);
+  contact->commit(1.);
+  EXPECT_GT(contact->report().n_released, 0u);
+  std::stringstream saved;
+  contact->save(saved);
+  auto again = blocks.interface(p);
+  again->load(saved, tilted);
+  unsigned int n_kept = 0, n_free = 0;
+  for (unsigned int i = 0; i < contact->n_sweeps(); ++i)
+    {
+      const auto &before = contact->sweep(i).state().released;
+      const auto &after  = again->sweep(i).state().released;
+      ASSERT_EQ(after.size(), contact->sweep(i).owned_facets().size());
+      for (std::size_t o = 0; o < after.size(); ++o)
+        {
+          EXPECT_EQ(bool(after[o]), !before.empty() && before[o]);
+          ++(after[o] ? n_kept : n_free);
+        }
+    }
+  EXPECT_GT(Utilities::MPI::sum(n_kept, MPI_COMM_WORLD), 0u);
+  EXPECT_GT(Utilities::MPI::sum(n_free, MPI_COMM_WORLD), 0u);
+}
+
+
 // Reference: the points of the coarse facets that the fine ones were made of.
 TEST(History, MaterialPointsAreFoundOnOtherMeshes)
 {

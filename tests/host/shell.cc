@@ -367,6 +367,8 @@ TEST(ShellSkin, FacesThatMeetFromTheSideAreNoContactUntilTheyPart)
   again.load(saved, moved(-0.02, 0.06));
   again.update(moved(-0.02, 0.06), time + 1., false);
   EXPECT_EQ(again.report().force.norm(), 0.);
+  EXPECT_FALSE(contact.sweep(0).state().aside.empty());
+  EXPECT_EQ(again.sweep(0).state().aside, contact.sweep(0).state().aside);
   // they part, and meet again from in front
   for (const double x : {0.1, -0.3})
     {

@@ -187,9 +187,15 @@ namespace MortarContact
       return history;
     }
 
-    /// What this rank's facets remember, free of numbers.
+    /// Whether facets of this rank remember anything.
+    bool
+    remembers() const;
+
+    /// What this rank remembers, free of numbers.
+    /// @param with_facets If those of any rank remember something: what has no
+    ///                    entry would be taken from its neighbours.
     SurfaceHistory<dim>
-    surface_history() const;
+    surface_history(const bool with_facets) const;
 
     /**
      * Continue from the histories of all ranks' facets, on whatever mesh they

@@ -54,9 +54,10 @@ namespace MortarContact
   public:
     explicit PointLocator(std::vector<Tensor<1, dim>> points);
 
-    /// Number of the point nearest to @p x, if one is nearer than @p farthest.
+    /// Number of the point nearest to @p x; nothing: there are no points.
+    /// @param first_reach Where to look first [m].
     std::optional<unsigned int>
-    find(const Tensor<1, dim> &x, const double farthest) const;
+    find(const Tensor<1, dim> &x, const double first_reach) const;
 
   private:
     std::vector<Tensor<1, dim>> points;
