@@ -101,7 +101,8 @@ namespace MortarContact
   MaterialLocator<dim>::same(const Facet<dim>  &facet,
                              const unsigned int part) const
   {
-    for (const unsigned int f : broad_phase.find(box_of(centre(facet), 0.)))
+    // a vertex lies in its box to the last digit, a mean may not
+    for (const unsigned int f : broad_phase.find(box_of(facet.x[0], 0.)))
       if (parts[f] == part && facets[f].n_vertices == facet.n_vertices &&
           std::equal(facet.x.begin(),
                      facet.x.begin() + facet.n_vertices,

@@ -268,6 +268,29 @@ TEST(History, ReleasedFacetsAreTheSameAfterLoading)
 }
 
 
+// The centre of a plane facet may lie an ulp off its plane: (0.1 + 0.1 + 0.1)/3
+// is not 0.1.
+TEST(History, TheSameFacetIsFoundWhateverItsCoordinates)
+{
+  std::vector<Facet<3>> facets;
+  for (const double z : {0.1, 1. / 3., 0.7, 2.3})
+    {
+      Facet<3> f;
+      f.n_vertices = 3;
+      f.x[0]       = Tensor<1, 3>({0., 0., z});
+      f.x[1]       = Tensor<1, 3>({1., 0., z});
+      f.x[2]       = Tensor<1, 3>({0., 1., z});
+      facets.push_back(f);
+    }
+  const MaterialLocator<3> locator(facets, {0, 0, 0, 0});
+  for (unsigned int f = 0; f < facets.size(); ++f)
+    {
+      ASSERT_TRUE(locator.same(facets[f], 0)) << f;
+      EXPECT_EQ(*locator.same(facets[f], 0), f);
+    }
+}
+
+
 // Reference: the points of the coarse facets that the fine ones were made of.
 TEST(History, MaterialPointsAreFoundOnOtherMeshes)
 {
