@@ -84,34 +84,42 @@ namespace Structure
 
 
   template <int dim>
-  std::vector<double>
-  error_indicators(const Model<dim> &model,
-                   const Body<dim>  &body,
-                   const Vector_t   &u)
+  std::vector<std::vector<double>>
+  error_indicators(const Model<dim> &model, const Vector_t &u)
   {
-    const Vector<double> everywhere(u);
-    Vector<double>       of_body(body.n_dofs());
-    for (types::global_dof_index i = 0; i < of_body.size(); ++i)
-      of_body(i) = everywhere(body.numbering(i));
-    std::vector<double> errors = body.gradient_jumps(of_body);
+    const Vector<double>             everywhere(u);
+    std::vector<std::vector<double>> errors;
+    for (const auto &body : model.bodies)
+      {
+        errors.emplace_back();
+        if (!body->can_be_refined())
+          continue;
+        Vector<double> of_body(body->n_dofs());
+        for (types::global_dof_index i = 0; i < of_body.size(); ++i)
+          of_body(i) = everywhere(body->numbering(i));
+        errors.back() = body->gradient_jumps(of_body);
+      }
     for (const auto &interface : model.interfaces)
       {
-        const auto states =
-          MortarContact::facet_states(*interface, model.communicator);
         std::array<unsigned int, 2> next = {{0, 0}};
-        for (const auto &state : states)
+        for (const auto &state :
+             MortarContact::facet_states(*interface, model.communicator))
           {
             const unsigned int f = next[state.side]++;
-            if (state.label.part != body.name)
-              continue;
-            const auto   p   = state.pressure.begin();
-            const auto   end = p + state.current.n_vertices;
-            const double jump =
-              *std::max_element(p, end) - *std::min_element(p, end);
-            errors[body.active_number(state.label.cell)] +=
-              MortarContact::diameter(state.reference) *
-              MortarContact::area(state.reference) * jump * jump /
-              (24. * interface->surface(state.side).cell_modulus[f]);
+            for (unsigned int b = 0; b < errors.size(); ++b)
+              {
+                if (errors[b].empty() ||
+                    state.label.part != model.bodies[b]->name)
+                  continue;
+                const auto   p   = state.pressure.begin();
+                const auto   end = p + state.current.n_vertices;
+                const double jump =
+                  *std::max_element(p, end) - *std::min_element(p, end);
+                errors[b][model.bodies[b]->active_number(state.label.cell)] +=
+                  MortarContact::diameter(state.reference) *
+                  MortarContact::area(state.reference) * jump * jump /
+                  (24. * interface->surface(state.side).cell_modulus[f]);
+              }
           }
       }
     return errors;
@@ -131,24 +139,24 @@ namespace Structure
     };
     std::vector<Cell>        cells;
     std::vector<std::string> flags;
+    const auto               errors = error_indicators(model, u);
     double                   sum = 0., n_cells = 0.;
     for (unsigned int b = 0; b < model.bodies.size(); ++b)
       {
         const Body<dim> &body = *model.bodies[b];
         n_cells += body.n_cells();
         flags.emplace_back();
-        if (!body.can_be_refined() ||
+        if (errors[b].empty() ||
             (!parameters.bodies.empty() &&
              std::find(parameters.bodies.begin(),
                        parameters.bodies.end(),
                        body.name) == parameters.bodies.end()))
           continue;
-        const std::vector<double> errors = error_indicators(model, body, u);
-        flags.back().assign(errors.size(), '.');
-        for (unsigned int c = 0; c < errors.size(); ++c)
+        flags.back().assign(errors[b].size(), '.');
+        for (unsigned int c = 0; c < errors[b].size(); ++c)
           {
-            cells.push_back({errors[c], b, c});
-            sum += errors[c];
+            cells.push_back({errors[b][c], b, c});
+            sum += errors[b][c];
           }
       }
     if (n_cells > parameters.most_cells || !(sum > 0.))
@@ -190,10 +198,10 @@ namespace Structure
   }
 
 
-  template std::vector<double>
-  error_indicators<2>(const Model<2> &, const Body<2> &, const Vector_t &);
-  template std::vector<double>
-  error_indicators<3>(const Model<3> &, const Body<3> &, const Vector_t &);
+  template std::vector<std::vector<double>>
+  error_indicators<2>(const Model<2> &, const Vector_t &);
+  template std::vector<std::vector<double>>
+  error_indicators<3>(const Model<3> &, const Vector_t &);
   template std::vector<std::string>
   mark_cells<2>(const Model<2> &,
                 const Vector_t &,

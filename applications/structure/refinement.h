@@ -42,20 +42,17 @@ namespace Structure
   };
 
   /**
-   * Squared error indicators of the cells of a body [J], of all ranks, by
-   * active cell: those of the body, mu h/24 times the squared jumps of the
-   * displacement gradient (Kelly et al., doi:10.1002/nme.1620191103), and for
-   * the contact facets of a cell
-   *   h A (p_max - p_min)^2 / (24 K),
-   * p the pressures at the vertices, A the facet's area, h its diameter, K its
-   * contact modulus: the same, for the pressure that the facet cannot follow.
-   * It is largest where contact begins.
+   * Squared error indicators of the cells [J], of all ranks, by body (empty: it
+   * cannot be refined) and active cell: those of the body, mu h/24 times the
+   * squared jumps of the displacement gradient (Kelly et al.,
+   * doi:10.1002/nme.1620191103), and for the contact facets of a cell h A
+   * (p_max - p_min)^2 / (24 K), p the pressures at the vertices, A the facet's
+   * area, h its diameter, K its contact modulus: the same, for the pressure
+   * that the facet cannot follow. It is largest where contact begins.
    */
   template <int dim>
-  std::vector<double>
-  error_indicators(const Model<dim> &model,
-                   const Body<dim>  &body,
-                   const Vector_t   &u);
+  std::vector<std::vector<double>>
+  error_indicators(const Model<dim> &model, const Vector_t &u);
 
   /**
    * Flags for Body::refine() of the bodies of a model. The cells with the

@@ -149,8 +149,7 @@ namespace Structure
   void
   Simulation<dim>::save_checkpoint()
   {
-    // collective: what this rank alone has
-    Checkpoint c;
+    Checkpoint c; // the same on all ranks
     c.parameters        = used_parameters;
     c.time              = time;
     c.next_step         = next_step;

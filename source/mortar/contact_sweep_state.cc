@@ -8,7 +8,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
-#include <map>
+#include <string>
 
 namespace MortarContact
 {
