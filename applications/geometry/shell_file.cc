@@ -299,18 +299,16 @@ namespace Structure
         cell.material_id = part->second;
         cells.push_back(cell);
       }
-    const bool mixes =
-      std::any_of(cells.begin(), cells.end(), [&](const auto &c) {
-        return c.vertices.size() != cells[0].vertices.size();
-      });
-    AssertThrow(!mixes,
-                ExcMessage(is + "it mixes triangles and quadrilaterals; "
-                                "expected quadrilaterals only or triangles "
-                                "only."));
     SubCellData none;
     GridTools::delete_unused_vertices(vertices, cells, none);
-    if (cells[0].vertices.size() == 4)
-      GridTools::consistently_order_cells(cells);
+    // quadrilaterals first: edges of triangles have no direction
+    const auto first_triangle =
+      std::stable_partition(cells.begin(), cells.end(), [](const auto &c) {
+        return c.vertices.size() == 4;
+      });
+    std::vector<CellData<2>> quadrilaterals(cells.begin(), first_triangle);
+    GridTools::consistently_order_cells(quadrilaterals);
+    std::copy(quadrilaterals.begin(), quadrilaterals.end(), cells.begin());
     mesh.create_triangulation(vertices, cells, none);
     return parts;
   }

@@ -96,7 +96,7 @@ namespace Structure
     n_owned_dofs() const = 0;
 
     virtual unsigned int
-    n_dofs_per_cell() const = 0;
+    n_dofs_per_cell(const unsigned int cell) const = 0;
 
     /// Of all ranks.
     virtual types::global_dof_index

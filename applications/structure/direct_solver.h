@@ -14,7 +14,8 @@ namespace Structure
   /**
    * MUMPS, called directly: the order of elimination is found once for each
    * pattern of the matrix, and entries stay with the ranks that own them.
-   * (Amesos' interface starts anew for each matrix and gathers it.)
+   * (Amesos' interface starts anew for each matrix and gathers it.) After
+   * factorise(), it is the inverse of the matrix, a preconditioner for others.
    */
   class DirectSolver
   {
@@ -23,21 +24,20 @@ namespace Structure
     ~DirectSolver();
 
     /**
-     * Solve matrix x = rhs. Collective.
+     * Collective.
      * @param pattern A number that changes with the pattern of the matrix.
      * @return False if the matrix is singular.
      * @throw ExcMessage if memory does not suffice.
      */
     bool
-    solve(const TrilinosWrappers::SparseMatrix &matrix,
-          const unsigned int                    pattern,
-          const TrilinosWrappers::MPI::Vector  &rhs,
-          TrilinosWrappers::MPI::Vector        &x);
+    factorise(const TrilinosWrappers::SparseMatrix &matrix,
+              const unsigned int                    pattern);
 
-    /// Solve with the matrix of the last solve(), which was regular.
+    /// Solve (last matrix) x = rhs, after a factorise() that returned true.
+    /// Collective.
     void
-    solve_again(const TrilinosWrappers::MPI::Vector &rhs,
-                TrilinosWrappers::MPI::Vector       &x);
+    vmult(TrilinosWrappers::MPI::Vector       &x,
+          const TrilinosWrappers::MPI::Vector &rhs) const;
 
   private:
     struct Data;

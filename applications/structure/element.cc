@@ -40,10 +40,10 @@ namespace Structure
   Element<dim>::Element(const SolidBody<dim> &body)
     : body(body)
     , fe_values(*body.mapping,
-                *body.fe,
+                body.elements[0],
                 *body.quadrature,
                 update_values | update_gradients | update_JxW_values)
-    , component(components_of(*body.fe))
+    , component(components_of(body.elements[0]))
     , F(body.quadrature->size())
   {}
 

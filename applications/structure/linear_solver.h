@@ -48,10 +48,11 @@ namespace Structure
   };
 
   /**
-   * Solves matrix x = rhs: directly by MUMPS, or by CG (symmetric models) or
-   * GMRES with algebraic multigrid that knows the rigid body motions (when they
-   * fail, the direct one takes over), or with pressures as unknowns by
-   * solve_mixed().
+   * Solves matrix x = rhs: directly by MUMPS (large models: with the factors of
+   * the step's first matrix by GMRES, while that is faster), or by CG
+   * (symmetric models) or GMRES with algebraic multigrid that knows the rigid
+   * body motions (when they fail, the direct one takes over), or with pressures
+   * as unknowns by solve_mixed().
    */
   template <int dim>
   class LinearSolver
@@ -66,12 +67,23 @@ namespace Structure
     LinearSolve
     solve(Model<dim> &model, Vector_t &x);
 
+    /// Forget factors: results do not depend on the tries before.
+    void
+    start_step()
+    {
+      has_factors = false;
+    }
+
     LinearSolver(const LinearSolver &) = delete; // models may refer to it
 
   private:
     /// Multigrid for the matrix of the model.
     void
     make_multigrid(Model<dim> &model);
+
+    /// By the direct solver, with its old factors if they serve.
+    LinearSolve
+    solve_directly(Model<dim> &model, Vector_t &x);
 
     /// From the solution x of K x = r to that of (K - sum c_i r_i^T) x = r
     /// (Sherman, Morrison and Woodbury), K the last matrix of the direct
@@ -83,6 +95,8 @@ namespace Structure
 
     const LinearSolverParameters parameters;
     DirectSolver                 direct;
+    bool                         has_factors = false; ///< Of this step.
+    double last_norm = 0.; ///< Of its last right-hand side.
 
     std::unique_ptr<Multigrid> multigrid;
     unsigned int multigrid_iterations = 0; ///< Of its first solve; 0: none yet.

@@ -75,7 +75,8 @@ namespace Structure
         [this, n_ranks]() { partition_in_slices(triangulation, n_ranks); });
     triangulation.copy_triangulation(mesh);
     first_level = triangulation.n_levels() - 1;
-    AssertThrow(triangulation.all_reference_cells_are_simplex() ||
+    AssertThrow(dim < spacedim ||
+                  triangulation.all_reference_cells_are_simplex() ||
                   triangulation.all_reference_cells_are_hyper_cube(),
                 ExcMessage("Body '" + name +
                            "': the mesh mixes cell types; expected " +
@@ -87,19 +88,15 @@ namespace Structure
 
   template <int dim, int spacedim>
   void
-  MeshBody<dim, spacedim>::distribute_dofs(
-    std::unique_ptr<FESystem<dim, spacedim>> element)
-  {
-    fe = std::move(element);
-    distribute_dofs();
-  }
-
-
-  template <int dim, int spacedim>
-  void
   MeshBody<dim, spacedim>::distribute_dofs()
   {
-    dof_handler.distribute_dofs(*fe);
+    if (elements.size() > 1)
+      for (const auto &cell : dof_handler.active_cell_iterators())
+        if (cell->is_locally_owned())
+          for (unsigned int i = 0; i < elements.size(); ++i)
+            if (elements[i].reference_cell() == cell->reference_cell())
+              cell->set_active_fe_index(i);
+    dof_handler.distribute_dofs(elements);
     local_cells.clear();
     levels.clear();
     active_numbers.resize(triangulation.n_active_cells());
@@ -118,11 +115,12 @@ namespace Structure
   std::vector<types::global_dof_index>
   MeshBody<dim, spacedim>::dofs_in_order() const
   {
-    std::vector<types::global_dof_index> result, of_cell(fe->n_dofs_per_cell());
+    std::vector<types::global_dof_index> result, of_cell;
     std::vector<char>                    seen(dof_handler.n_dofs(), false);
     result.reserve(dof_handler.n_dofs());
     for (const auto &cell : dof_handler.active_cell_iterators())
       {
+        of_cell.resize(cell->get_fe().n_dofs_per_cell());
         cell->get_dof_indices(of_cell);
         for (const auto dof : of_cell)
           if (!seen[dof])
@@ -209,7 +207,8 @@ namespace Structure
   MeshBody<dim, spacedim>::add_constraints(
     AffineConstraints<double> &constraints) const
   {
-    DoFTools::make_hanging_node_constraints(dof_handler, constraints);
+    if (triangulation.has_hanging_nodes())
+      DoFTools::make_hanging_node_constraints(dof_handler, constraints);
   }
 
 
@@ -219,7 +218,7 @@ namespace Structure
     const unsigned int                    cell,
     std::vector<types::global_dof_index> &dofs) const
   {
-    dofs.resize(fe->n_dofs_per_cell());
+    dofs.resize(n_dofs_per_cell(cell));
     local_cells[cell]->get_dof_indices(dofs);
     for (auto &d : dofs)
       d = this->numbering(d);

@@ -10,14 +10,16 @@
 
 #include <deal.II/fe/fe_system.h>
 
-#include <memory>
+#include <deal.II/hp/fe_collection.h>
+
 #include <string>
 #include <vector>
 
 namespace Structure
 {
   /// What solids and shells share: a mesh with cells dealt to the ranks, in
-  /// slices along the longest direction, and one finite element.
+  /// slices along the longest direction, and a finite element for each of
+  /// their types.
   template <int dim, int spacedim>
   class MeshBody : public Body<spacedim>
   {
@@ -39,9 +41,9 @@ namespace Structure
     }
 
     unsigned int
-    n_dofs_per_cell() const override
+    n_dofs_per_cell(const unsigned int cell) const override
     {
-      return fe->n_dofs_per_cell();
+      return local_cells[cell]->get_fe().n_dofs_per_cell();
     }
 
     types::global_dof_index
@@ -113,15 +115,12 @@ namespace Structure
            const std::vector<Vector<double>> &fields) override;
 
     parallel::shared::Triangulation<dim, spacedim> triangulation;
-    std::unique_ptr<FESystem<dim, spacedim>>       fe;
+    hp::FECollection<dim, spacedim>                elements; ///< Solids: one.
     DoFHandler<dim, spacedim>                      dof_handler;
 
   protected:
-    /// To be called by the derived class, with its element.
-    void
-    distribute_dofs(std::unique_ptr<FESystem<dim, spacedim>> element);
-
-    /// Number the dofs of the mesh as it is.
+    /// Number the dofs of the mesh as it is. The derived class fills
+    /// `elements` before.
     void
     distribute_dofs();
 

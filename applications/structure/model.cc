@@ -509,8 +509,8 @@ namespace Structure
       FullMatrix<double> tangent, mass, damping, stiffness;
       for (unsigned int i = 0; i < bodies.size(); ++i)
         {
-          Body<dim>         &b = *bodies[i];
-          const unsigned int n = b.n_dofs_per_cell();
+          Body<dim>   &b = *bodies[i];
+          unsigned int n = 0;
           if (batches[i])
             {
               failure = batches[i]->assemble(
@@ -524,22 +524,26 @@ namespace Structure
               if (loads[i].empty())
                 continue;
             }
-          if (dynamic)
-            {
-              mass.reinit(n, n);
-              stiffness.reinit(n, n);
-              at_rest.reinit(n);
-              ignored.reinit(n);
-            }
-          forces.reinit(n);
-          loaded.reinit(n);
-          if (with_tangent)
-            tangent.reinit(n, n);
           for (unsigned int cell = 0; cell < b.n_local_cells(); ++cell)
             {
               if (previous != nullptr)
                 cell_values(b, cell, previous_ghosted, before, dofs);
               cell_values(b, cell, u_ghosted, values, dofs);
+              if (cell == 0 || dofs.size() != n)
+                {
+                  n = dofs.size();
+                  if (dynamic)
+                    {
+                      mass.reinit(n, n);
+                      stiffness.reinit(n, n);
+                      at_rest.reinit(n);
+                      ignored.reinit(n);
+                    }
+                  forces.reinit(n);
+                  loaded.reinit(n);
+                  if (with_tangent)
+                    tangent.reinit(n, n);
+                }
               // K_0 first: a body remembers the last evaluation of a cell
               if (dynamic && integration.parameters.stiffness_damping > 0.)
                 {
@@ -715,12 +719,12 @@ namespace Structure
                                std::to_string(formulas.size()) +
                                " components; expected " + std::to_string(dim) +
                                ", separated by semicolons."));
-        const unsigned int n = b->n_dofs_per_cell();
-        FullMatrix<double> mass(n, n);
-        Vector<double>     diagonal(n);
         for (unsigned int cell = 0; cell < b->n_local_cells(); ++cell)
           {
             b->dofs_of(cell, dofs);
+            const unsigned int n = dofs.size();
+            FullMatrix<double> mass(n, n);
+            Vector<double>     diagonal(n);
             b->mass(cell, mass);
             // the masses of displacements and directors, dealt by the diagonal
             double total[2] = {0., 0.}, trace[2] = {0., 0.};
@@ -803,12 +807,12 @@ namespace Structure
     std::vector<types::global_dof_index> dofs;
     for (const auto &b : bodies)
       {
-        const unsigned int n = b->n_dofs_per_cell();
-        FullMatrix<double> mass(n, n);
+        FullMatrix<double> mass;
         Vector<double>     values;
         for (unsigned int cell = 0; cell < b->n_local_cells(); ++cell)
           {
             cell_values(*b, cell, v, values, dofs);
+            mass.reinit(dofs.size(), dofs.size());
             b->mass(cell, mass);
             energy += 0.5 * mass.matrix_norm_square(values);
           }
@@ -826,12 +830,14 @@ namespace Structure
     std::vector<types::global_dof_index> dofs;
     for (const auto &b : bodies)
       {
-        const unsigned int n = b->n_dofs_per_cell();
-        FullMatrix<double> mass(n, n);
-        Vector<double>     values, of_cell(n);
+        FullMatrix<double> mass;
+        Vector<double>     values, of_cell;
         for (unsigned int cell = 0; cell < b->n_local_cells(); ++cell)
           {
             cell_values(*b, cell, v, values, dofs);
+            const unsigned int n = dofs.size();
+            mass.reinit(n, n);
+            of_cell.reinit(n);
             b->mass(cell, mass);
             mass.vmult(of_cell, values);
             for (unsigned int k = 0; k < n; ++k)

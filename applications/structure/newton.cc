@@ -48,6 +48,10 @@ namespace Structure
     /// falls below this share.
     constexpr double enough = 0.9;
 
+    /// Beyond the most iterations it goes on while the residual falls to this
+    /// share in each.
+    constexpr double nearly_there = 0.1;
+
     /// Iterations after which updates of shells are shortened, too, where a
     /// first try (with extrapolated stresses) has failed: contact of edges may
     /// come and go for ever.
@@ -73,7 +77,8 @@ namespace Structure
     prm.declare_entry("Maximum iterations",
                       "25",
                       Patterns::Integer(1, 1000),
-                      "Then the step is cut back [-].");
+                      "Then the step is cut back, unless the residual still "
+                      "falls tenfold in each [-].");
     prm.declare_entry("Line search",
                       "energy",
                       Patterns::Selection("none|residual|energy"),
@@ -111,6 +116,7 @@ namespace Structure
              const bool                                        mixed_points,
              const std::function<void(const NewtonIterate &)> &watch)
   {
+    linear.start_step();
     NewtonResult result;
     Vector_t     du    = model.make_vector();
     double       floor = 0.;
@@ -164,7 +170,8 @@ namespace Structure
             result.converged = true;
             return result;
           }
-        if (result.iterations >= parameters.max_iterations)
+        if (result.iterations >= parameters.max_iterations &&
+            iterate.residual > nearly_there * last_residual / scale)
           {
             result.failure = "no convergence in " +
                              std::to_string(result.iterations) + " iterations";

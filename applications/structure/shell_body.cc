@@ -41,11 +41,17 @@ namespace Structure
     : MeshBody<2, 3>(name, mesh, communicator)
     , parameters(parameters)
   {
-    if (triangulation.all_reference_cells_are_simplex())
-      distribute_dofs(
-        std::make_unique<FESystem<2, 3>>(FE_SimplexP<2, 3>(1), 6));
-    else
-      distribute_dofs(std::make_unique<FESystem<2, 3>>(FE_Q<2, 3>(1), 6));
+    if (!triangulation.all_reference_cells_are_simplex())
+      {
+        elements.push_back(FESystem<2, 3>(FE_Q<2, 3>(1), 6));
+        mappings.push_back(MappingQ<2, 3>(1));
+      }
+    if (!triangulation.all_reference_cells_are_hyper_cube())
+      {
+        elements.push_back(FESystem<2, 3>(FE_SimplexP<2, 3>(1), 6));
+        mappings.push_back(MappingFE<2, 3>(FE_SimplexP<2, 3>(1)));
+      }
+    distribute_dofs();
 
     orientation = orient(triangulation);
     if (parameters.is_turned)
@@ -68,7 +74,7 @@ namespace Structure
             R.push_back(cell->vertex(v));
             D.push_back(directors[cell->vertex_index(v)]);
           }
-        elements.emplace_back(R, D, section_of(cell->material_id()), scale);
+        shells.emplace_back(R, D, section_of(cell->material_id()), scale);
       }
     if (!parameters.thicknesses.empty())
       {
@@ -138,8 +144,7 @@ namespace Structure
                       Vector<double>       &forces,
                       FullMatrix<double>   &tangent)
   {
-    return elements[cell].evaluate(
-             u, with_tangent, previous, forces, tangent) &&
+    return shells[cell].evaluate(u, with_tangent, previous, forces, tangent) &&
            std::isfinite(forces.l2_norm());
   }
 
@@ -147,7 +152,7 @@ namespace Structure
   void
   ShellBody::commit()
   {
-    for (ShellElement &element : elements)
+    for (ShellElement &element : shells)
       element.commit();
   }
 
@@ -156,28 +161,41 @@ namespace Structure
   ShellBody::history() const
   {
     std::vector<double> all;
-    for (const ShellElement &element : elements)
+    const std::size_t   n = n_history();
+    for (const ShellElement &element : shells)
       {
+        const std::size_t first = all.size();
         for (const PlasticState &s : element.states)
           all.insert(all.end(),
                      {s.strain[0], s.strain[1], s.strain[2], s.equivalent});
         all.insert(all.end(), element.modes.begin(), element.modes.end());
+        all.resize(first + n, 0.);
       }
     return of_all_cells(all);
+  }
+
+
+  std::size_t
+  ShellBody::n_history() const
+  {
+    std::size_t n = 0;
+    for (const ShellElement &element : shells)
+      n = std::max(n, 4 * element.states.size() + element.modes.size());
+    return Utilities::MPI::max(n, triangulation.get_communicator());
   }
 
 
   void
   ShellBody::restore(const std::vector<double> &of_all)
   {
-    const std::vector<double> state = of_local_cells(of_all);
-    std::size_t               n = 0, i = 0;
-    for (const ShellElement &element : elements)
-      n += 4 * element.states.size() + element.modes.size();
-    AssertThrow(n == state.size(),
+    const std::size_t n = n_history();
+    AssertThrow(of_all.size() == n * triangulation.n_active_cells(),
                 ExcMessage("The saved state belongs to another shell."));
-    for (ShellElement &element : elements)
+    const std::vector<double> state = of_local_cells(of_all);
+    std::size_t               cell  = 0;
+    for (ShellElement &element : shells)
       {
+        std::size_t i = n * cell++;
         for (PlasticState &s : element.states)
           {
             s = {{{state[i], state[i + 1], state[i + 2]}}, state[i + 3]};
@@ -192,14 +210,14 @@ namespace Structure
   double
   ShellBody::energy(const unsigned int cell, const Vector<double> &u)
   {
-    return elements[cell].energy(u);
+    return shells[cell].energy(u);
   }
 
 
   void
   ShellBody::mass(const unsigned int cell, FullMatrix<double> &matrix)
   {
-    elements[cell].mass(matrix);
+    shells[cell].mass(matrix);
   }
 
 
@@ -253,7 +271,7 @@ namespace Structure
         return;
       }
 
-    const FiniteElement<2, 3> &scalar = fe->base_element(0);
+    const FiniteElement<2, 3> &scalar = c->get_fe().base_element(0);
     const Quadrature<2>        points = rule(n);
     const int                  top    = orientation[c->active_cell_index()];
     for (unsigned int q = 0; q < points.size(); ++q)
@@ -405,22 +423,23 @@ namespace Structure
     const unsigned int n_cells = triangulation.n_active_cells();
     Vector<double>     top(n_cells), middle(n_cells), bottom(n_cells),
       largest(n_cells), plastic(n_cells);
-    std::vector<types::global_dof_index> dofs(fe->n_dofs_per_cell());
+    std::vector<types::global_dof_index> dofs;
     for (unsigned int i = 0; i < local_cells.size(); ++i)
       {
+        dofs.resize(n_dofs_per_cell(i));
         const Vector<double> &values = values_of_cell(i);
         local_cells[i]->get_dof_indices(dofs);
         for (unsigned int a = 0; a < dofs.size(); ++a)
           fields(dofs[a]) = values(a) / (a % 6 < 3 ? 1. : scale);
         const auto mises = [&](const double height) {
-          return von_mises(elements[i].stress(values, height));
+          return von_mises(shells[i].stress(values, height));
         };
         const unsigned int c = local_cells[i]->active_cell_index();
         top(c)               = mises(1.);
         middle(c)            = mises(0.);
         bottom(c)            = mises(-1.);
         largest(c)           = std::max({top(c), middle(c), bottom(c)});
-        plastic(c)           = elements[i].plastic_strain();
+        plastic(c)           = shells[i].plastic_strain();
       }
 
     using Kind = DataComponentInterpretation::DataComponentInterpretation;
@@ -445,7 +464,7 @@ namespace Structure
       data_out.add_data_vector(plastic,
                                "plastic_strain",
                                DataOut<2, 3>::type_cell_data);
-    data_out.build_patches();
+    data_out.build_patches(mappings);
     data_out.write_vtu_in_parallel(file, communicator);
   }
 } // namespace Structure

@@ -6,6 +6,8 @@
 #include "shell_directors.h"
 #include "shell_element.h"
 
+#include <deal.II/hp/mapping_collection.h>
+
 #include <map>
 #include <memory>
 #include <string>
@@ -26,7 +28,7 @@ namespace Structure
   };
 
   /**
-   * A shell: a mesh of quadrilaterals or triangles in space with the elements
+   * A shell: a mesh of quadrilaterals and triangles in space with the elements
    * of ShellElement. Boundary ids are those of edges. Loads: traction on edges
    * (force per undeformed length) or on the surface (per undeformed area);
    * pressure on the surface, positive pushes on the top.
@@ -126,13 +128,18 @@ namespace Structure
     ShellSection
     section_of(const types::material_id part) const;
 
-    const ShellParameters     parameters;
-    double                    scale = 0.;   ///< s [m]
-    std::vector<int>          orientation;  ///< By active cell.
-    std::vector<Tensor<1, 3>> directors;    ///< By vertex.
-    std::vector<double>       thickness_at; ///< Mean of the cells around;
-                                            ///< empty: the same everywhere.
-    std::vector<ShellElement> elements;     ///< By local cell.
+    /// Values that history() has of each cell.
+    std::size_t
+    n_history() const;
+
+    const ShellParameters       parameters;
+    hp::MappingCollection<2, 3> mappings;     ///< Of `elements`.
+    double                      scale = 0.;   ///< s [m]
+    std::vector<int>            orientation;  ///< By active cell.
+    std::vector<Tensor<1, 3>>   directors;    ///< By vertex.
+    std::vector<double>         thickness_at; ///< Mean of the cells around;
+                                              ///< empty: the same everywhere.
+    std::vector<ShellElement> shells;         ///< By local cell.
   };
 } // namespace Structure
 

@@ -69,30 +69,29 @@ namespace Structure
     if (simplices)
       {
         mapping = std::make_unique<MappingFE<dim>>(FE_SimplexP<dim>(1));
-        this->distribute_dofs(
-          std::make_unique<FESystem<dim>>(FE_SimplexP<dim>(degree), dim));
+        elements.push_back(FESystem<dim>(FE_SimplexP<dim>(degree), dim));
         quadrature      = std::make_unique<QGaussSimplex<dim>>(degree + 1);
         face_quadrature = std::make_unique<QGaussSimplex<dim - 1>>(degree + 1);
       }
     else
       {
         mapping = std::make_unique<MappingQ<dim>>(degree);
-        this->distribute_dofs(
-          std::make_unique<FESystem<dim>>(FE_Q<dim>(degree), dim));
+        elements.push_back(FESystem<dim>(FE_Q<dim>(degree), dim));
         quadrature      = std::make_unique<QGauss<dim>>(degree + 1);
         face_quadrature = std::make_unique<QGauss<dim - 1>>(degree + 1);
       }
-    component = components_of(*fe);
+    this->distribute_dofs();
+    component = components_of(elements[0]);
     element   = std::make_unique<Element<dim>>(*this);
     load_values =
       std::make_unique<FEValues<dim>>(*mapping,
-                                      *fe,
+                                      elements[0],
                                       *quadrature,
                                       update_values | update_JxW_values |
                                         update_quadrature_points);
     face_values =
       std::make_unique<FEFaceValues<dim>>(*mapping,
-                                          *fe,
+                                          elements[0],
                                           *face_quadrature,
                                           update_values | update_gradients |
                                             update_JxW_values |
@@ -263,9 +262,10 @@ namespace Structure
   SolidBody<dim>::place_of(const unsigned int cell,
                            const unsigned int dof) const
   {
-    const auto       node = fe->system_to_component_index(dof);
+    const auto       node = elements[0].system_to_component_index(dof);
     const Point<dim> x    = mapping->transform_unit_to_real_cell(
-      local_cells[cell], fe->base_element(0).unit_support_point(node.second));
+      local_cells[cell],
+      elements[0].base_element(0).unit_support_point(node.second));
     return {x, node.first, Tensor<1, dim>(x)};
   }
 
@@ -276,10 +276,10 @@ namespace Structure
     const std::set<types::boundary_id>                   &ids,
     const std::function<void(const BoundaryNode<dim> &)> &visit) const
   {
-    const FiniteElement<dim>            &scalar = fe->base_element(0);
-    std::vector<types::global_dof_index> dofs(fe->n_dofs_per_cell());
+    const FiniteElement<dim>            &scalar = elements[0].base_element(0);
+    std::vector<types::global_dof_index> dofs(elements[0].n_dofs_per_cell());
     FEFaceValues<dim>                    normals(*mapping,
-                              *fe,
+                              elements[0],
                               *face_quadrature,
                               update_normal_vectors);
     for (const auto &cell : dof_handler.active_cell_iterators())
@@ -301,8 +301,8 @@ namespace Structure
               if (!is_on_face<dim>(cell, f, p))
                 continue;
               for (unsigned int i = 0; i < dim; ++i)
-                node.dofs[i] =
-                  this->numbering(dofs[fe->component_to_system_index(i, k)]);
+                node.dofs[i] = this->numbering(
+                  dofs[elements[0].component_to_system_index(i, k)]);
               node.x = mapping->transform_unit_to_real_cell(cell, p);
               visit(node);
             }
@@ -315,8 +315,8 @@ namespace Structure
   SolidBody<dim>::visit_nodes(
     const std::function<void(const BoundaryNode<dim> &)> &visit) const
   {
-    const FiniteElement<dim>            &scalar = fe->base_element(0);
-    std::vector<types::global_dof_index> dofs(fe->n_dofs_per_cell());
+    const FiniteElement<dim>            &scalar = elements[0].base_element(0);
+    std::vector<types::global_dof_index> dofs(elements[0].n_dofs_per_cell());
     for (const auto &cell : dof_handler.active_cell_iterators())
       {
         cell->get_dof_indices(dofs);
@@ -326,8 +326,8 @@ namespace Structure
             node.x = mapping->transform_unit_to_real_cell(
               cell, scalar.unit_support_point(k));
             for (unsigned int i = 0; i < dim; ++i)
-              node.dofs[i] =
-                this->numbering(dofs[fe->component_to_system_index(i, k)]);
+              node.dofs[i] = this->numbering(
+                dofs[elements[0].component_to_system_index(i, k)]);
             visit(node);
           }
       }
@@ -364,7 +364,7 @@ namespace Structure
     Vector<double>     pressure(n_cells), mises(n_cells), volume_ratio(n_cells);
     std::vector<Vector<double>> stress(dim == 2 ? 4 : 6,
                                        Vector<double>(n_cells));
-    std::vector<types::global_dof_index> dofs(fe->n_dofs_per_cell());
+    std::vector<types::global_dof_index> dofs(elements[0].n_dofs_per_cell());
     for (unsigned int i = 0; i < local_cells.size(); ++i)
       {
         const Vector<double> &values = values_of_cell(i);
@@ -403,7 +403,7 @@ namespace Structure
       data_out.add_data_vector(stress[i],
                                std::string("stress_") + names[i],
                                DataOut<dim>::type_cell_data);
-    data_out.build_patches(*mapping, fe->degree);
+    data_out.build_patches(*mapping, elements[0].degree);
     data_out.write_vtu_in_parallel(file, communicator);
   }
 

@@ -27,7 +27,7 @@ namespace Structure
   public:
     using ValuesOfCell = typename Body<dim>::ValuesOfCell;
     using MeshBody<dim, dim>::triangulation;
-    using MeshBody<dim, dim>::fe;
+    using MeshBody<dim, dim>::elements;
     using MeshBody<dim, dim>::dof_handler;
 
     /**

@@ -318,7 +318,7 @@ TEST(ValveFluid, APlateOfNoMassOscillatesWithTheBloodBehindAndBefore)
     Body<3> &b        = *s->model.bodies[0];
     for (unsigned int cell = 0; cell < b.n_local_cells(); ++cell)
       {
-        Vector<double>     values, forces(b.n_dofs_per_cell());
+        Vector<double>     values, forces(b.n_dofs_per_cell(0));
         FullMatrix<double> none;
         s->model.cell_values(b, cell, s->model.ghosted(s->u), values, dofs);
         Vector<double> flat(values.size());

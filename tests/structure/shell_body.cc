@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <functional>
 #include <string>
 #include <vector>
@@ -56,7 +57,7 @@ TEST(ShellElementBody, FollowerPressureHasItsDerivativeAndPushesTheTop)
       load.formulas.emplace_back("2 + x", "Pressure");
       for (unsigned int cell = 0; cell < shell.n_local_cells(); ++cell)
         {
-          const unsigned int n = shell.n_dofs_per_cell();
+          const unsigned int n = shell.n_dofs_per_cell(cell);
           Vector<double>     u(n), at_rest(n), plus(n), minus(n), forces(n);
           FullMatrix<double> K(n, n), none;
           shell.add_load(cell, load, u, 0., at_rest, none);
@@ -140,6 +141,61 @@ TEST(ShellElementBody, SkinOfAMergedRingIsClosed)
               3. * 0.5 * n * std::sin(2. * numbers::PI / n) *
                 (outer * outer - inner * inner),
               1e-4);
+}
+
+
+// A square and two triangles beside it, from an Abaqus and a gmsh file: nodes
+// are shared, and the skin is closed around area times thickness.
+TEST(ShellElementBody, QuadrilateralsAndTrianglesShareNodesAndOneSkin)
+{
+  std::ofstream("mixed.inp")
+    << "*Node\n1, 0., 0., 0.\n2, 1., 0., 0.\n3, 2., 0., 0.\n"
+       "4, 0., 1., 0.\n5, 1., 1., 0.\n6, 2., 1., 0.\n"
+       "*Element, type=S3, elset=a\n1, 2, 3, 6\n2, 2, 6, 5\n"
+       "*Element, type=S4, elset=a\n3, 1, 2, 5, 4\n";
+  std::ofstream("mixed.msh")
+    << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
+       "$Nodes\n6\n1 0 0 0\n2 1 0 0\n3 2 0 0\n4 0 1 0\n5 1 1 0\n6 2 1 0\n"
+       "$EndNodes\n$Elements\n3\n1 3 2 5 1 1 2 5 4\n2 2 2 5 1 2 3 6\n"
+       "3 2 2 5 1 2 6 5\n$EndElements\n";
+  for (const char *file : {"mixed.inp", "mixed.msh"})
+    {
+      MeshParameters m;
+      m.type = "file";
+      m.file = file;
+      Triangulation<2, 3> mesh;
+      make_shell_mesh(m, mesh);
+      ShellBody shell("shell", mesh, steel(), {}, MPI_COMM_SELF);
+      EXPECT_EQ(shell.n_dofs(), 6u * 6u) << file;
+      EXPECT_EQ(shell.dofs_in_order().size(), 36u) << file;
+
+      MortarContact::ShellSkin<3> skin;
+      skin.thickness = 0.1;
+      skin.modulus   = 1.;
+      skin.director  = [](const unsigned int) {
+        return Tensor<1, 3>({0., 0., 1.});
+      };
+      const std::vector<int> up = orient(mesh);
+      skin.orientation          = [&](const unsigned int c) { return up[c]; };
+      double       volume       = 0.;
+      Tensor<1, 3> sum;
+      const auto   facets =
+        MortarContact::extract_shell<3>(shell.dof_handler, {}, skin, "a", {});
+      EXPECT_EQ(facets.size(), 2u * 3u + 6u) << file;
+      for (const auto &f : facets)
+        {
+          MortarContact::Facet<3> facet;
+          facet.n_vertices = f.n_vertices;
+          for (unsigned int a = 0; a < f.n_vertices; ++a)
+            facet.x[a] = f.vertices[a].reference;
+          Tensor<1, 3> normal = MortarContact::centre_normal(facet);
+          normal *= MortarContact::area(facet) / normal.norm();
+          sum += normal;
+          volume += normal * MortarContact::centre(facet) / 3.;
+        }
+      EXPECT_LT(sum.norm(), 1e-14) << file;
+      EXPECT_NEAR(std::abs(volume), 0.2, 1e-14) << file;
+    }
 }
 
 
