@@ -487,8 +487,8 @@ namespace MortarContact
                                const std::vector<unsigned int> &among,
                                const double                     deepest) const
   {
-    // Small overlaps at a corner are looked for at this share of the way from
-    // the corner to the centre.
+    // Overlaps of a small part of the facet, beyond its points, are looked for
+    // at this share of the way from each corner to the centre.
     constexpr double inside_corner = 1e-3;
 
     const Facet<dim>         &facet = secondary.facets[f].current;
@@ -506,7 +506,7 @@ namespace MortarContact
     };
     for (const PlanePoint<dim> &xi : material_points<dim>(n))
       result.at_points.push_back(look(xi));
-    if (!result.deepest)
+    if (!result.deepest || result.deepest->depth <= 0.)
       for (unsigned int a = 0; a < n; ++a)
         {
           const PlanePoint<dim> corner = reference_vertex<dim>(n, a);
