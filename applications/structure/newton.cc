@@ -24,6 +24,8 @@ namespace Structure
 
     /// Shells: work of an update over the largest of the step below which only
     /// round-off of their stiff directions is left (with residual_round_off).
+    /// So it is where the residual has stopped falling and updates are surely
+    /// converged: on fine meshes round-off is above a force tolerance of 1e-8.
     constexpr double work_round_off = 1e-16;
 
     /// Updates below this are round-off: no better solution can be written
@@ -160,6 +162,10 @@ namespace Structure
              (has_shells && result.iterations > 0 &&
               iterate.residual <= residual_round_off &&
               work <= work_round_off * largest_work) ||
+             (has_shells && iterate.residual <= residual_round_off &&
+              n.residual >= stagnating * last_residual &&
+              iterate.update <=
+                surely_converged * parameters.displacement_tolerance) ||
              (n.residual <= force_round_off / force_floor * floor &&
               n.residual >= stagnating * last_residual &&
               iterate.update <= parameters.displacement_tolerance) ||
