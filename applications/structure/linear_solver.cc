@@ -33,7 +33,8 @@ namespace Structure
                       "direct: MUMPS. iterative: CG or GMRES with algebraic "
                       "multigrid; with nearly incompressible cells (mean "
                       "dilatation, neo-Hookean) FGMRES with their pressures as "
-                      "unknowns. automatic: direct up to the limit below.");
+                      "unknowns. automatic: direct up to the limit below and "
+                      "for shells.");
     prm.declare_entry(
       "Direct up to",
       "60000",
@@ -123,7 +124,8 @@ namespace Structure
       }
     // the fluid's part of the tangent needs the factors
     const bool iterative =
-      !model.fluid && parameters.is_iterative(dim, model.n_dofs());
+      !model.fluid &&
+      parameters.is_iterative(dim, model.n_dofs(), model.has_shells());
     if (iterative)
       {
         make_multigrid(model);

@@ -28,12 +28,15 @@ namespace Structure
     double       mixed_tolerance = 1e-2;  ///< With pressures as unknowns.
     unsigned int max_iterations  = 2000;
 
-    /// Whether a model of that many dofs is solved iteratively.
+    /// Whether a model of that many dofs is solved iteratively. Multigrid
+    /// fails for shells.
     bool
-    is_iterative(const unsigned int dim, const double n_dofs) const
+    is_iterative(const unsigned int dim,
+                 const double       n_dofs,
+                 const bool         has_shells) const
     {
       return type == "iterative" ||
-             (type == "automatic" &&
+             (type == "automatic" && !has_shells &&
               n_dofs > direct_limit * (dim == 2 ? 10. : 1.));
     }
   };

@@ -15,6 +15,7 @@
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/trilinos_vector.h>
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -72,6 +73,15 @@ namespace Structure
     n_dofs() const
     {
       return total_dofs;
+    }
+
+    /// Whether there are shells: bodies that look at the iterate before.
+    bool
+    has_shells() const
+    {
+      return std::any_of(bodies.begin(), bodies.end(), [](const auto &b) {
+        return b->uses_iterates();
+      });
     }
 
     const IndexSet &

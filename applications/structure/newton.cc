@@ -126,12 +126,9 @@ namespace Structure
       floor = std::max(floor, force_floor * b->force_scale(model.size));
     // bending to a large angle first stretches: no line search then, which
     // would allow small steps only
-    const bool has_shells =
-      std::any_of(model.bodies.begin(), model.bodies.end(), [](const auto &b) {
-        return b->uses_iterates();
-      });
-    double work = 0., largest_work = 0.; ///< Of the updates.
-    double last_residual = std::numeric_limits<double>::max();
+    const bool has_shells = model.has_shells();
+    double     work = 0., largest_work = 0.; ///< Of the updates.
+    double     last_residual = std::numeric_limits<double>::max();
 
     NewtonIterate iterate;
     iterate.update = std::numeric_limits<double>::max();

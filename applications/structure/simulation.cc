@@ -297,7 +297,8 @@ namespace Structure
       for (const auto &b : model.bodies)
         if (b->name == scene.valve.body)
           model.fluid = std::make_unique<ValveFluid<dim>>(scene.valve, *b);
-    model.setup(scene.linear.is_iterative(dim, model.n_dofs()));
+    model.setup(
+      scene.linear.is_iterative(dim, model.n_dofs(), model.has_shells()));
     u    = model.make_vector();
     rate = model.make_vector();
 
@@ -438,12 +439,9 @@ namespace Structure
     const bool     predicts = start.linfty_norm() > 0.;
     trial += start;
     model.integration.start_step(new_time - time);
-    last_newton = NewtonResult();
-    bool again  = true;
-    bool mixed_points =
-      std::any_of(model.bodies.begin(), model.bodies.end(), [](const auto &b) {
-        return b->uses_iterates();
-      });
+    last_newton       = NewtonResult();
+    bool again        = true;
+    bool mixed_points = model.has_shells();
     while (again)
       {
         const NewtonResult solved = solve_step(
