@@ -556,7 +556,7 @@ namespace Structure
                   mesh.all_reference_cells_are_hyper_cube(),
                 ExcMessage("'Mesh/Local refinements' is " +
                            std::to_string(m.local_refinements) +
-                           "; expected 0 for a shell of triangles."));
+                           "; expected 0 for a shell with triangles."));
     refine_locally(m, mesh);
 
     // Step 3: in its place.

@@ -307,7 +307,8 @@ namespace Structure
         return c.vertices.size() == 4;
       });
     std::vector<CellData<2>> quadrilaterals(cells.begin(), first_triangle);
-    GridTools::consistently_order_cells(quadrilaterals);
+    if (!quadrilaterals.empty())
+      GridTools::consistently_order_cells(quadrilaterals);
     std::copy(quadrilaterals.begin(), quadrilaterals.end(), cells.begin());
     mesh.create_triangulation(vertices, cells, none);
     return parts;

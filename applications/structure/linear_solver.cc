@@ -21,6 +21,9 @@ namespace Structure
     /// new factors (15 000 shells).
     constexpr unsigned int old_factors_from = 20000, most_with_old_factors = 16;
     constexpr double       falls = 0.1;
+
+    /// Residual over right-hand side that is as good as a direct solution.
+    constexpr double exact = 1e-10;
   } // namespace
 
 
@@ -179,8 +182,7 @@ namespace Structure
     last_norm = norm;
     if (tries_old)
       {
-        SolverControl control(most_with_old_factors,
-                              parameters.tolerance * norm);
+        SolverControl control(most_with_old_factors, exact * norm);
         const SolverGMRES<Vector_t>::AdditionalData right_preconditioned(
           most_with_old_factors + 2, true);
         x = 0.;

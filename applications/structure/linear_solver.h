@@ -51,11 +51,11 @@ namespace Structure
   };
 
   /**
-   * Solves matrix x = rhs: directly by MUMPS (large models: with the factors of
-   * the step's first matrix by GMRES, while that is faster), or by CG
-   * (symmetric models) or GMRES with algebraic multigrid that knows the rigid
-   * body motions (when they fail, the direct one takes over), or with pressures
-   * as unknowns by solve_mixed().
+   * Solves matrix x = rhs: directly by MUMPS (large models: by GMRES with
+   * factors of an earlier iteration of the step, where that is faster), or by
+   * CG (symmetric models) or GMRES with algebraic multigrid that knows the
+   * rigid body motions (when they fail, the direct one takes over), or with
+   * pressures as unknowns by solve_mixed().
    */
   template <int dim>
   class LinearSolver

@@ -24,9 +24,9 @@ namespace Structure
 
     /// Shells: work of an update over the largest of the step below which only
     /// round-off of their stiff directions is left (with residual_round_off).
-    /// So it is where the residual has stopped falling and updates are surely
-    /// converged: on fine meshes round-off is above a force tolerance of 1e-8.
-    constexpr double work_round_off = 1e-16;
+    /// So it is where the residual has stopped falling and updates are
+    /// small: on fine meshes round-off is above a force tolerance of 1e-8.
+    constexpr double work_round_off = 1e-16, small_update = 1e-9;
 
     /// Updates below this are round-off: no better solution can be written
     /// down. Then the residual's floor is reached too, if it is at least below
@@ -160,9 +160,8 @@ namespace Structure
               iterate.residual <= residual_round_off &&
               work <= work_round_off * largest_work) ||
              (has_shells && iterate.residual <= residual_round_off &&
-              n.residual >= stagnating * last_residual &&
-              iterate.update <=
-                surely_converged * parameters.displacement_tolerance) ||
+              n.residual >= stagnating * last_residual && iterate.step == 1. &&
+              iterate.update <= small_update) ||
              (n.residual <= force_round_off / force_floor * floor &&
               n.residual >= stagnating * last_residual &&
               iterate.update <= parameters.displacement_tolerance) ||
@@ -174,7 +173,8 @@ namespace Structure
             return result;
           }
         if (result.iterations >= parameters.max_iterations &&
-            iterate.residual > nearly_there * last_residual / scale)
+            (!at_target ||
+             iterate.residual > nearly_there * last_residual / scale))
           {
             result.failure = "no convergence in " +
                              std::to_string(result.iterations) + " iterations";

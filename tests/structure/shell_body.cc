@@ -158,6 +158,12 @@ TEST(ShellElementBody, QuadrilateralsAndTrianglesShareNodesAndOneSkin)
        "$Nodes\n6\n1 0 0 0\n2 1 0 0\n3 2 0 0\n4 0 1 0\n5 1 1 0\n6 2 1 0\n"
        "$EndNodes\n$Elements\n3\n1 3 2 5 1 1 2 5 4\n2 2 2 5 1 2 3 6\n"
        "3 2 2 5 1 2 6 5\n$EndElements\n";
+  std::ofstream("triangle.inp") << "*Node\n1, 0., 0., 0.\n2, 1., 0., 0.\n"
+                                   "3, 0., 1., 0.\n"
+                                   "*Element, type=S3, elset=a\n1, 1, 2, 3\n";
+  Triangulation<2, 3> only_triangles;
+  read_abaqus_shell("triangle.inp", only_triangles);
+  EXPECT_EQ(only_triangles.n_active_cells(), 1u);
   for (const char *file : {"mixed.inp", "mixed.msh"})
     {
       MeshParameters m;
