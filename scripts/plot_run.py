@@ -101,12 +101,13 @@ def main():
     with open(os.path.join(folder, "history.csv"), newline="") as file:
         rows = list(csv.DictReader(file))
     time = [float(row["time"]) for row in rows]
-    columns = sys.argv[2:] or [
-        key
+    largest = {
+        key: max(abs(float(row[key])) for row in rows)
         for key in rows[0]
-        if ("force_" in key or key.startswith("reaction:"))
-        and max(abs(float(row[key])) for row in rows) > 0.0
-    ]
+        if "force_" in key or key.startswith("reaction:")
+    }
+    round_off = 1e-9 * max(largest.values(), default=0.0)
+    columns = sys.argv[2:] or [key for key in largest if largest[key] > round_off]
     axis = figure.add_subplot(1, 2, 2)
     for column in columns:
         axis.plot(time, [float(row[column]) for row in rows], ".-", label=column)

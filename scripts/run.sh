@@ -31,14 +31,14 @@ ranks=${RANKS:-$(env -u OMP_NUM_THREADS nproc)}
 status=0
 mpirun -np "$ranks" "$root/build/$driver" "$@" || status=$?
 
-# Pictures of the standard cases, where the tools for them are.
+# Pictures, and a page with all of the run.
 case "$driver" in
   rubber_fit) pictures=pictures.py ;;
   dummy_on_hood) pictures=hood_pictures.py ;;
   shell_leaflet) pictures=valve_pictures.py ;;
-  *) pictures= ;;
+  *) pictures=plot_run.py ;;
 esac
-if [ "$status" = 0 ] && [ -n "$pictures" ]; then
+if [ "$status" = 0 ]; then
   case " $* " in
     *" --check "* | *" --print-parameters "* | *" --help "* | *" --version "*) exit 0 ;;
   esac
@@ -50,5 +50,6 @@ if [ "$status" = 0 ] && [ -n "$pictures" ]; then
     previous=$word
   done
   /usr/bin/python3 "$root/scripts/$pictures" "${folder:-output}"
+  /usr/bin/python3 "$root/scripts/report.py" "${folder:-output}"
 fi
 exit "$status"

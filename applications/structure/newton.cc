@@ -35,7 +35,7 @@ namespace Structure
     constexpr double residual_round_off = 1e-6;
 
     /// So it is where forces are below this times that force scale: stresses of
-    /// bodies that move without strain.
+    /// bodies that move without strain, or are at rest again.
     constexpr double stress_round_off = 1e-13;
 
     /// Forces below this times that force scale are round-off,
@@ -129,6 +129,7 @@ namespace Structure
     const bool has_shells = model.has_shells();
     double     work = 0., largest_work = 0.; ///< Of the updates.
     double     last_residual = std::numeric_limits<double>::max();
+    double     last_motion   = std::numeric_limits<double>::max();
 
     NewtonIterate iterate;
     iterate.update = std::numeric_limits<double>::max();
@@ -165,7 +166,8 @@ namespace Structure
              (n.residual <= force_round_off / force_floor * floor &&
               n.residual >= stagnating * last_residual &&
               iterate.update <= parameters.displacement_tolerance) ||
-             (iterate.update <= update_round_off &&
+             ((iterate.update <= update_round_off ||
+               last_motion <= motion_floor * model.size) &&
               (iterate.residual <= residual_round_off ||
                n.residual <= stress_round_off / force_floor * floor))))
           {
@@ -249,10 +251,10 @@ namespace Structure
 
         Vector_t motion = u;
         motion -= u_start;
-        iterate.update = iterate.step * du.linfty_norm() /
-                         std::max({motion.linfty_norm(),
-                                   still * u.linfty_norm(),
-                                   motion_floor * model.size});
+        last_motion    = iterate.step * du.linfty_norm();
+        iterate.update = last_motion / std::max({motion.linfty_norm(),
+                                                 still * u.linfty_norm(),
+                                                 motion_floor * model.size});
       }
   }
 

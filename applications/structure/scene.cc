@@ -2,6 +2,7 @@
 #include "scene.h"
 
 #include "numbers_of.h"
+#include "suggestion.h"
 
 #include <deal.II/base/patterns.h>
 #include <deal.II/base/utilities.h>
@@ -561,7 +562,20 @@ namespace Structure
     AssertThrow(in,
                 ExcMessage("The parameter file '" + source.file +
                            "' cannot be opened."));
-    prm.parse_input(in, source.file, "", skip_undefined);
+    const auto read = [&](std::istream &text, const std::string &name) {
+      try
+        {
+          prm.parse_input(text, name, "", skip_undefined);
+        }
+      catch (const ExceptionBase &e)
+        {
+          std::ostringstream info;
+          e.print_info(info);
+          const std::string error = Utilities::trim(info.str());
+          AssertThrow(false, ExcMessage(error + did_you_mean(prm, error)));
+        }
+    };
+    read(in, source.file);
     for (const std::string &setting : source.settings)
       {
         const std::size_t equals = setting.find('=');
@@ -579,7 +593,7 @@ namespace Structure
         text +=
           "set " + path.back() + " = " + setting.substr(equals + 1) + "\n";
         std::istringstream line(text + ends);
-        prm.parse_input(line, "--set \"" + setting + "\"", "", skip_undefined);
+        read(line, "--set \"" + setting + "\"");
       }
     if (skip_undefined)
       AssertThrow(prm.get("Driver") == source.driver,

@@ -2,6 +2,7 @@
 #include "simulation.h"
 
 #include "../geometry/mesh_maker.h"
+#include "advice.h"
 #include "shell_body.h"
 #include "solid_body.h"
 #include "stop_signal.h"
@@ -794,6 +795,19 @@ namespace Structure
     const double peak =
       Utilities::MPI::sum(static_cast<double>(memory.VmHWM), communicator);
 
+    RunFigures run;
+    run.strain_energy   = model.strain_energy(u);
+    run.steps           = step;
+    run.iterations      = newton_iterations;
+    run.cut_backs       = cut_backs;
+    run.predicts        = scene.newton.predicts;
+    run.is_static       = !model.is_dynamic();
+    run.contact_seconds = times["contact: search and evaluation"];
+    run.all_seconds     = wall.wall_time();
+    for (const auto &interface : model.interfaces)
+      run.interfaces.push_back(
+        {interface->name, &interface->parameters, interface->report().energy});
+
     nlohmann::json json;
     json["status"]            = status;
     json["version"]           = "0.1.0";
@@ -807,34 +821,36 @@ namespace Structure
     json["cut_backs"]         = cut_backs;
     json["peak_memory_kB"]    = peak;
     json["wall_seconds"]      = wall.wall_time();
+    json["strain_energy"]     = run.strain_energy;
     json["parameters_hash"]   = std::hash<std::string>()(used_parameters);
     for (const auto &[name, seconds] : times)
       json["seconds"][name] = seconds;
-    for (const auto &interface : model.interfaces)
+    for (unsigned int i = 0; i < model.interfaces.size(); ++i)
       {
-        const auto     &r             = interface->report();
-        nlohmann::json &j             = json["interfaces"][interface->name];
-        j["force"]                    = {r.force[0], r.force[1], r.force[2]};
-        j["moment"]                   = {r.moment[0], r.moment[1], r.moment[2]};
-        j["largest_penetration"]      = r.largest_penetration;
-        j["penetration_over_release"] = r.relative_penetration;
-        j["mean_penetration"]         = r.mean_penetration;
-        j["largest_pressure"]         = r.largest_pressure;
-        j["largest_overlap"]          = r.largest_overlap;
-        j["active_area"]              = r.active_area;
-        j["energy"]                   = r.energy;
-        j["released_facets"]          = r.n_released;
-        j["slip_area"]                = r.slip_area;
-        j["friction_dissipation"]     = r.dissipation;
-        j["elastic_slip"]             = r.elastic_slip;
-        j["tied_area"]                = r.initial.tied_area;
-        j["whole_tied_area"]          = r.whole_tied_area;
-        j["failed_tied_area"]         = r.failed_tied_area;
-        j["damage_dissipation"]       = r.damage_dissipation;
-        j["largest_tie_jump"]         = r.largest_tie_jump;
-        j["augmentations"]            = r.n_augmentations_total;
-        j["search_seconds"]           = r.search_seconds;
-        j["evaluate_seconds"]         = r.evaluate_seconds;
+        const auto     &r  = model.interfaces[i]->report();
+        nlohmann::json &j  = json["interfaces"][model.interfaces[i]->name];
+        j["penalty_share"] = penalty_share(run, run.interfaces[i]);
+        j["force"]         = {r.force[0], r.force[1], r.force[2]};
+        j["moment"]        = {r.moment[0], r.moment[1], r.moment[2]};
+        j["largest_penetration"]         = r.largest_penetration;
+        j["penetration_over_release"]    = r.relative_penetration;
+        j["mean_penetration"]            = r.mean_penetration;
+        j["largest_pressure"]            = r.largest_pressure;
+        j["largest_overlap"]             = r.largest_overlap;
+        j["active_area"]                 = r.active_area;
+        j["energy"]                      = r.energy;
+        j["released_facets"]             = r.n_released;
+        j["slip_area"]                   = r.slip_area;
+        j["friction_dissipation"]        = r.dissipation;
+        j["elastic_slip"]                = r.elastic_slip;
+        j["tied_area"]                   = r.initial.tied_area;
+        j["whole_tied_area"]             = r.whole_tied_area;
+        j["failed_tied_area"]            = r.failed_tied_area;
+        j["damage_dissipation"]          = r.damage_dissipation;
+        j["largest_tie_jump"]            = r.largest_tie_jump;
+        j["augmentations"]               = r.n_augmentations_total;
+        j["search_seconds"]              = r.search_seconds;
+        j["evaluate_seconds"]            = r.evaluate_seconds;
         j["initial_penetrating_facets"]  = r.initial.n_facets;
         j["initial_deepest_penetration"] = r.initial.deepest.penetration;
         j["initial_undetected_facets"]   = r.initial.n_undetected;
@@ -873,6 +889,8 @@ namespace Structure
             << std::setw(8) << seconds << " s\n";
     table << "  peak memory " << peak / 1e6 << " GB";
     log.line(table.str());
+    for (const std::string &sentence : advice(run))
+      log.line(sentence);
   }
 
 

@@ -2,10 +2,7 @@
 #ifndef mortar_contact_mortar_contact_h
 #define mortar_contact_mortar_contact_h
 
-/**
- * @mainpage
- * Mortar contact for deal.II. Begin with MortarContact::ContactInterface.
- */
+// Everything that a program needs; begin with MortarContact::ContactInterface.
 
 #include <mortar_contact/host/contact_interface.h>
 #include <mortar_contact/host/contact_output.h>

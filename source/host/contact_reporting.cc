@@ -25,6 +25,7 @@ namespace MortarContact
 
     InitialReport &initial = last_report.initial;
     initial.treatment      = parameters.initial_penetration;
+    initial.asked_pressure = parameters.initial_pressure;
 
     std::vector<DeepPenetration> deepest, undetected;
     for (unsigned int i = 0; i < sweeps.size(); ++i)

@@ -490,28 +490,99 @@ namespace MortarContact
     // Overlaps of a small part of the facet, beyond its points, are looked for
     // at this share of the way from each corner to the centre.
     constexpr double inside_corner = 1e-3;
+    // Extrapolated depths may miss those at corners by this share of the
+    // deepest.
+    constexpr double corner_tolerance = 0.05;
 
     const Facet<dim>         &facet = secondary.facets[f].current;
     const unsigned int        n     = facet.n_vertices;
     const SecondaryFrame<dim> frame(facet);
+    const auto                points = material_points<dim>(n);
     FacetDepths               result;
-    const auto                look = [&](const PlanePoint<dim> &xi) {
-      const auto d = depth_at(frame, xi, f, among, deepest);
+    const auto                keep_deepest = [&](const PlanePoint<dim>      &xi,
+                                  const std::optional<Depth> &d) {
       if (d && (!result.deepest || d->depth > result.deepest->depth))
         {
           result.deepest = d;
           result.position = interpolate(facet, shape_values<dim>(n, xi));
         }
-      return d;
     };
-    for (const PlanePoint<dim> &xi : material_points<dim>(n))
-      result.at_points.push_back(look(xi));
-    if (!result.deepest || result.deepest->depth <= 0.)
+    const auto overlaps = [](const std::optional<Depth> &d) {
+      return d && d->depth > 0.;
+    };
+
+    bool sees_gaps = false;
+    for (const PlanePoint<dim> &xi : points)
+      {
+        result.at_points.push_back(depth_at(frame, xi, f, among, deepest));
+        keep_deepest(xi, result.at_points.back());
+        if (result.at_points.back() && !overlaps(result.at_points.back()))
+          sees_gaps = true;
+      }
+    const bool points_overlap = overlaps(result.deepest);
+    result.of_corners_only    = sees_gaps && !points_overlap;
+
+    // Step 1: the corners of a facet that is partly open, or seems to be open.
+    std::array<PlanePoint<dim>, max_vertices<dim>>      at_corner;
+    std::array<std::optional<Depth>, max_vertices<dim>> corners;
+    double at_deepest = result.deepest ? result.deepest->depth : 0.;
+    if (sees_gaps || !points_overlap)
       for (unsigned int a = 0; a < n; ++a)
         {
           const PlanePoint<dim> corner = reference_vertex<dim>(n, a);
-          look(corner + inside_corner * (reference_centre<dim>(n) - corner));
+          at_corner[a] =
+            corner + inside_corner * (reference_centre<dim>(n) - corner);
+          corners[a] = depth_at(frame, at_corner[a], f, among, deepest);
+          if (corners[a])
+            at_deepest = std::max(at_deepest, corners[a]->depth);
+          if (!points_overlap)
+            keep_deepest(at_corner[a], corners[a]);
         }
+
+    // Step 2: a point that sees nothing goes with the deepest.
+    for (std::optional<Depth> &d : result.at_points)
+      if (!d)
+        d = result.deepest;
+    if (!overlaps(result.deepest) || !sees_gaps)
+      return result;
+
+    // Step 3: gaps may lie in front of another part of the surface, far beyond
+    // the overlap, and tilt what is extrapolated from them. Does it agree with
+    // what the corners see?
+    VertexValues<dim> depths{};
+    for (unsigned int q = 0; q < n; ++q)
+      depths[q] = result.at_points[q]->depth;
+    const VertexValues<dim> at_vertices =
+      extrapolate_to_vertices<dim>(n, depths);
+    bool agrees = true;
+    for (unsigned int a = 0; a < n; ++a)
+      {
+        const double by_points =
+          PairAlgebra::dot<dim>(shape_values<dim>(n, at_corner[a]),
+                                at_vertices);
+        agrees =
+          agrees &&
+          (corners[a] ? std::abs(std::max(by_points, 0.) -
+                                 std::max(corners[a]->depth, 0.)) <=
+                          corner_tolerance * at_deepest :
+                        by_points <= (1. + corner_tolerance) * at_deepest);
+      }
+    if (agrees)
+      return result;
+
+    // Step 4: if not, levels follow the corners, no farther below zero than the
+    // deepest is above.
+    VertexValues<dim> by_corners{};
+    for (unsigned int a = 0; a < n; ++a)
+      by_corners[a] =
+        corners[a] ? std::max(corners[a]->depth, -at_deepest) : at_deepest;
+    for (unsigned int q = 0; q < n; ++q)
+      {
+        Depth       &d = *result.at_points[q];
+        const double there =
+          PairAlgebra::dot<dim>(shape_values<dim>(n, points[q]), by_corners);
+        d.depth = (d.depth > 0.) ? std::max(d.depth, there) : there;
+      }
     return result;
   }
 
@@ -576,7 +647,9 @@ namespace MortarContact
           (treatment.deepest > 0.) ?
             treatment.deepest :
             treatment.largest_share * deepest->stiffness.length;
-        if (deepest->depth > limit)
+        // Contact of a facet that is open elsewhere is not given up for its
+        // corners.
+        if (deepest->depth > limit && !depths.of_corners_only)
           {
             ++findings.n_too_deep;
             if (deepest->depth > findings.too_deep)
@@ -608,7 +681,7 @@ namespace MortarContact
           history.level.resize(owned.size(), VertexValues<dim>{});
         for (unsigned int q = 0; q < depths.at_points.size(); ++q)
           {
-            const Depth  at = *depths.of_point(q);
+            const Depth &at = *depths.at_points[q];
             const double remaining =
               at.stiffness.length *
               law.inverse(treatment.remaining_pressure / at.stiffness.modulus);
@@ -782,7 +855,7 @@ namespace MortarContact
           for (unsigned int q = 0; q < depths.at_points.size(); ++q)
             {
               // out of sight is open
-              const std::optional<Depth> &d = depths.of_point(q);
+              const std::optional<Depth> &d = depths.at_points[q];
               history.level[o][q] =
                 std::min(history.level[o][q], d ? d->depth : 0.);
             }

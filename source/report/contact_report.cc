@@ -82,7 +82,13 @@ namespace MortarContact
         return out.str();
       }
     if (initial.n_facets == 0 && initial.n_undetected == 0)
-      out << "  no initial penetrations\n";
+      {
+        out << "  no initial penetrations\n";
+        if (initial.asked_pressure > 0.)
+          out << "  WARNING: 'Initial pressure' acts on initial penetrations "
+                 "only: nothing is held. Where surfaces just touch, a small "
+                 "'Secondary offset' makes them penetrate.\n";
+      }
     if (initial.n_facets > 0)
       out << "  initial penetrations: " << initial.n_facets
           << " facets, deepest " << initial.deepest.penetration << " ("

@@ -452,6 +452,47 @@ TEST(ContactInterface, OffsetsPushTheSurfaceOut)
 }
 
 
+TEST(ContactInterface, PartlyOverlappingFacetsGetLevelsNoDeeperThanTheOverlap)
+{
+  // A tip with steep flanks, 0.0136 below the surface at x = 0.567 and 0.004 at
+  // the vertex x = 0.5 of it; the facet before that vertex overlaps beyond its
+  // last material point only (0.0036 in front of it). At rest there must be no
+  // force on its behalf. Gaps in front of the flanks, up to 0.15, must not make
+  // levels that the overlap never had: pressed by twice the overlap, all bears.
+  const auto force_at = [](const InitialPenetration treatment,
+                           const double             down) {
+    TwoBlocks<2> blocks(-1e-3);
+    GridTools::transform(
+      [](const Point<2> &p) {
+        if (std::abs(p[1] - 1.001) > 1e-6)
+          return p;
+        const std::array<double, 4> by = {{0.15, 0.02, -0.0136, 0.15}};
+        return Point<2>(p[0], 1. + by[std::lround((p[0] - 0.1) / 0.7 * 3.)]);
+      },
+      blocks.tria);
+    ContactParameters p;
+    p.modulus               = 1000.;
+    p.characteristic_length = "1";
+    p.initial_penetration   = treatment;
+    ContactInterface<2> contact("i", p, MPI_COMM_WORLD);
+    blocks.add_to(contact);
+    EXPECT_EQ(contact.report().initial.n_facets, 4u); // two on each side
+    contact.update(lift(blocks, -down));
+    return contact.report().force.norm();
+  };
+  using I              = InitialPenetration;
+  const double at_rest = force_at(I::stress, 0.);
+  EXPECT_GT(at_rest, 0.);
+  EXPECT_LT(force_at(I::ignore, 0.), 0.01 * at_rest);
+  const double further = force_at(I::ignore, 0.0272),
+               all     = force_at(I::stress, 0.0272);
+  std::cout << at_rest << ' ' << force_at(I::ignore, 0.) << ' ' << further
+            << ' ' << all << std::endl;
+  EXPECT_GT(further, 0.5 * all);
+  EXPECT_LT(further, all);
+}
+
+
 TEST(ContactInterface, UnusableInputIsRefusedInWords)
 {
   TwoBlocks<3>        blocks(0.01);

@@ -18,15 +18,16 @@ namespace MortarContact
   /// A vertex of one of the two facets.
   struct FacetVertex
   {
-    Side         side;
-    unsigned int vertex;
+    Side         side;   ///< Of the pair.
+    unsigned int vertex; ///< Its number in that facet.
   };
 
   /// The line through two vertices of one facet.
   struct FacetLine
   {
-    Side         side;
-    unsigned int from, to;
+    Side         side; ///< Of the pair.
+    unsigned int from; ///< Vertex of that facet,
+    unsigned int to;   ///< and another.
   };
 
   /**
@@ -38,11 +39,11 @@ namespace MortarContact
   template <int dim>
   struct OverlapVertex
   {
-    PlanePoint<dim> y;
-    bool            is_crossing = false;
+    PlanePoint<dim> y;                   ///< In the secondary's plane [m].
+    bool            is_crossing = false; ///< Of two lines; else a vertex.
     FacetVertex     origin      = {Side::secondary, 0}; ///< If no crossing.
-    FacetLine       first       = {Side::secondary, 0, 0};
-    FacetLine       second      = {Side::secondary, 0, 0};
+    FacetLine first  = {Side::secondary, 0, 0}; ///< If a crossing: of this line
+    FacetLine second = {Side::secondary, 0, 0}; ///< and this one.
     /// Line on which the polygon's edge from this vertex to the next lies.
     FacetLine edge = {Side::secondary, 0, 0};
   };
@@ -56,7 +57,9 @@ namespace MortarContact
   template <int dim>
   struct Overlap
   {
-    unsigned int                                              n_vertices = 0;
+    /// Of the polygon; 0: no overlap.
+    unsigned int n_vertices = 0;
+    /// The first n_vertices count.
     std::array<OverlapVertex<dim>, max_overlap_vertices<dim>> vertices;
   };
 
@@ -65,16 +68,18 @@ namespace MortarContact
   template <int dim>
   struct ConvexPiece
   {
-    unsigned int                                n_vertices = 0;
-    std::array<unsigned int, max_vertices<dim>> vertices   = {};
+    unsigned int n_vertices = 0; ///< Of the piece.
+    /// Numbers in the facet; the first n_vertices count.
+    std::array<unsigned int, max_vertices<dim>> vertices = {};
   };
 
   /// All pieces of one projected facet.
   template <int dim>
   struct ConvexPieces
   {
-    unsigned int                    n_pieces = 0;
-    std::array<ConvexPiece<dim>, 2> pieces   = {};
+    unsigned int n_pieces = 0; ///< 0, 1 or 2.
+    /// The first n_pieces count.
+    std::array<ConvexPiece<dim>, 2> pieces = {};
   };
 
   /**

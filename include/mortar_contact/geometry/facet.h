@@ -41,10 +41,12 @@ namespace MortarContact
   template <int dim>
   struct Facet
   {
+    /// 2 (2d), 3 or 4.
     unsigned int n_vertices = max_vertices<dim>;
     /// Positions of the vertices [length of the mesh].
     std::array<Tensor<1, dim>, max_vertices<dim>> x = {};
 
+    /// For checkpoints and between ranks.
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)

@@ -21,8 +21,9 @@ namespace MortarContact
     /// Second derivatives x,bc.
     std::array<std::array<Tensor<1, dim>, dim - 1>, dim - 1> second;
     /// Where the material point eta was at the end of the last accepted step,
-    /// and the derivative by eta. For friction.
-    Tensor<1, dim>                      before;
+    /// for friction.
+    Tensor<1, dim> before;
+    /// Its derivatives by eta.
     std::array<Tensor<1, dim>, dim - 1> before_tangents;
   };
 
@@ -34,15 +35,17 @@ namespace MortarContact
   class ImplicitShape
   {
   public:
+    /// F and its derivatives by X at one place.
     struct Value
     {
-      double                  value = 0.;
-      Tensor<1, dim>          gradient;
-      SymmetricTensor<2, dim> hessian;
+      double                  value = 0.; ///< F, in the units of the shape.
+      Tensor<1, dim>          gradient;   ///< dF/dX
+      SymmetricTensor<2, dim> hessian;    ///< d2F/dX2
     };
 
     virtual ~ImplicitShape() = default;
 
+    /// F and its derivatives at @p X [m].
     virtual Value
     evaluate(const Tensor<1, dim> &X) const = 0;
 
@@ -120,6 +123,7 @@ namespace MortarContact
       return is_far_in_body(motion.origin(x), r);
     }
 
+    /// For surfaces that change with time [s].
     virtual void
     set_time(const double)
     {}
@@ -134,6 +138,7 @@ namespace MortarContact
                  const Tensor<1, dim> &N,
                  const double          range) const = 0;
 
+    /// is_far() in the body's own coordinates.
     virtual bool
     is_far_in_body(const Tensor<1, dim> &X, const double r) const = 0;
   };
@@ -144,10 +149,12 @@ namespace MortarContact
   class ImplicitObstacle : public Obstacle<dim>
   {
   public:
+    /// The body is where @p shape is negative.
     explicit ImplicitObstacle(std::unique_ptr<ImplicitShape<dim>> shape)
       : shape(std::move(shape))
     {}
 
+    /// Of the shape [s].
     void
     set_time(const double time) override
     {
@@ -160,6 +167,7 @@ namespace MortarContact
                  const Tensor<1, dim> &N,
                  const double          range) const override;
 
+    /// Estimated from F and its gradient.
     bool
     is_far_in_body(const Tensor<1, dim> &X, const double r) const override;
 

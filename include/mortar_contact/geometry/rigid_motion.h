@@ -37,6 +37,7 @@ namespace MortarContact
       return centre + transpose(rotation) * (x - centre - translation);
     }
 
+    /// For checkpoints and between ranks.
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)

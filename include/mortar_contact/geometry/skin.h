@@ -29,6 +29,7 @@ namespace MortarContact
   template <int dim>
   struct Skin
   {
+    /// All of the surface, in the order of its numbers.
     std::vector<ContactFacet<dim>> facets;
 
     /// Numbers of the facets' vertices; vertices that two facets share have

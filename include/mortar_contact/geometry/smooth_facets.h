@@ -35,6 +35,7 @@ namespace MortarContact
                  const Tensor<1, dim> &N,
                  const double          range) const override;
 
+    /// By boxes around the patches.
     bool
     is_far_in_body(const Tensor<1, dim> &X, const double r) const override;
 

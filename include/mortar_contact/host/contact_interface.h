@@ -26,6 +26,7 @@ namespace MortarContact
   /// What an interface thinks of a converged state.
   struct StepAdvice
   {
+    /// Whether the step may be committed.
     bool        accept = true;
     std::string reason; ///< Why not, in words.
   };
@@ -47,6 +48,8 @@ namespace MortarContact
   class ContactInterface
   {
   public:
+    /// @param name In reports, messages and files. @throw ExcMessage where
+    /// entries of @p parameters do not fit together.
     ContactInterface(const std::string       &name,
                      const ContactParameters &parameters,
                      const MPI_Comm           communicator);
@@ -92,6 +95,8 @@ namespace MortarContact
                   const ShellSkin<dim>           &skin,
                   const std::string              &part      = "secondary",
                   const DoFNumbering             &numbering = {});
+
+    /// The same for the primary side.
     void
     add_primary(const DoFHandler<dim - 1, dim> &dof_handler,
                 const FaceSelection            &selection,
@@ -237,7 +242,9 @@ namespace MortarContact
     double
     check_balance() const;
 
-    const std::string       name;
+    /// As given; in reports, messages and files.
+    const std::string name;
+    /// As given.
     const ContactParameters parameters;
 
     /// The surfaces, for output: 0 secondary, 1 primary.
@@ -254,6 +261,7 @@ namespace MortarContact
       return *sweeps[i];
     }
 
+    /// 1, or 2 where both sides take both parts in turn.
     unsigned int
     n_sweeps() const
     {

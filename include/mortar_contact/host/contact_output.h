@@ -12,7 +12,9 @@ namespace MortarContact
   template <int dim>
   struct FacetState
   {
+    /// Deformed [m].
     Facet<dim> current;
+    /// Undeformed [m].
     Facet<dim> reference;
     /// Contact pressure at the vertices, Cauchy: contact force per present
     /// area, positive; zero without contact [Pa].
@@ -20,6 +22,7 @@ namespace MortarContact
     /// Tangential traction at the vertices, by friction and ties [Pa].
     VertexValues<dim> shear = {};
 
+    /// What happens on the facet.
     enum class Status
     {
       open,
@@ -27,11 +30,13 @@ namespace MortarContact
       slip,  ///< Some of it.
       tied
     };
+    /// Of most of its points.
     Status       status      = Status::open;
     double       penetration = 0.; ///< Deepest on the facet [m]
     double       relative    = 0.; ///< Over the release depth [-]
     unsigned int side        = 0;  ///< 0 secondary, 1 primary.
-    FacetLabel   label;
+    /// Part and cell behind the facet.
+    FacetLabel label;
   };
 
   /**

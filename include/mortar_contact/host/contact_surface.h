@@ -25,11 +25,13 @@ namespace MortarContact
   template <int dim>
   struct SurfaceVertex
   {
+    /// One node's part of the position.
     struct Entry
     {
-      std::array<types::global_dof_index, dim> dofs;
-      double                                   weight;
+      std::array<types::global_dof_index, dim> dofs;   ///< Of the node.
+      double                                   weight; ///< w [-]
 
+      /// For checkpoints and between ranks.
       template <class Archive>
       void
       serialize(Archive &archive, const unsigned int)
@@ -39,11 +41,12 @@ namespace MortarContact
     };
 
     Tensor<1, dim>     reference; ///< X [m]
-    std::vector<Entry> row;
+    std::vector<Entry> row;       ///< Of the vertex map.
 
-    /// Rigid body of the surface, see ContactSurface::rigid_bodies, and its
-    /// vertex; for vertices without entries.
-    unsigned int rigid_body = 0, rigid_vertex = 0;
+    /// Rigid body of the surface, see ContactSurface::rigid_bodies; for
+    /// vertices without entries.
+    unsigned int rigid_body   = 0;
+    unsigned int rigid_vertex = 0; ///< Vertex of that body.
 
     /// The same for the same vertex on all cells and ranks. Rigid vertices
     /// count from above.
@@ -54,6 +57,7 @@ namespace MortarContact
                            row.front().dofs[0];
     }
 
+    /// For checkpoints and between ranks.
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
@@ -66,9 +70,10 @@ namespace MortarContact
   template <int dim>
   struct SurfaceFacet
   {
-    unsigned int                                      n_vertices = 0;
+    unsigned int n_vertices = 0; ///< 2 (2d), 3 or 4.
+    /// The first n_vertices count.
     std::array<SurfaceVertex<dim>, max_vertices<dim>> vertices;
-    FacetLabel                                        label;
+    FacetLabel                                        label; ///< For reports.
     unsigned int face     = 0;  ///< Face of the cell, and
     unsigned int subfacet = 0;  ///< part of the face.
     double       modulus  = 0.; ///< K of the cell's material [Pa]; 0: rigid
@@ -76,6 +81,7 @@ namespace MortarContact
     double       shortest_edge = 0.; ///< Of the part [m]
     unsigned int owner         = 0;  ///< Rank
 
+    /// For checkpoints and between ranks.
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
@@ -122,16 +128,17 @@ namespace MortarContact
     std::vector<types::global_dof_index>
     dofs() const;
 
+    /// Vertex @p a of a facet.
     const SurfaceVertex<dim> &
     vertex(const unsigned int facet, const unsigned int a) const
     {
       return vertices[facet_vertices[facet][a]];
     }
 
-    Skin<dim>               skin;
-    std::vector<FacetLabel> labels;
-    /// By facet; zero where rigid.
-    std::vector<double> cell_modulus, cell_length;
+    Skin<dim>               skin;         ///< In the present configuration.
+    std::vector<FacetLabel> labels;       ///< By facet.
+    std::vector<double>     cell_modulus; ///< By facet [Pa]; zero where rigid.
+    std::vector<double>     cell_length;  ///< By facet [m]; zero where rigid.
 
     /// Whose facets have no dofs.
     std::vector<std::shared_ptr<RigidBody<dim>>> rigid_bodies;

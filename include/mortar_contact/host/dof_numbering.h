@@ -38,6 +38,7 @@ namespace MortarContact
       AssertDimension(this->firsts.size(), this->targets.size());
     }
 
+    /// The number in the system of what the DoFHandler calls @p dof.
     types::global_dof_index
     operator()(const types::global_dof_index dof) const
     {

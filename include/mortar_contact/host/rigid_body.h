@@ -39,7 +39,8 @@ namespace MortarContact
               const std::vector<std::vector<unsigned int>> &facets);
 
     /// Translations and rotations: 3 in 2d, 6 in 3d.
-    static constexpr unsigned int n_dofs      = (dim == 2) ? 3 : 6;
+    static constexpr unsigned int n_dofs = (dim == 2) ? 3 : 6;
+    /// 1 (2d) or 3.
     static constexpr unsigned int n_rotations = n_dofs - dim;
 
     /// Motion over time [s]; none: at rest. With dofs: the place that they
@@ -57,6 +58,7 @@ namespace MortarContact
              const Tensor<1, dim>                              &centre,
              const double                                       length);
 
+    /// Whether forces decide some of its motions.
     bool
     has_dofs() const
     {
@@ -108,6 +110,7 @@ namespace MortarContact
     void
     commit();
 
+    /// The present one.
     const RigidMotion<dim> &
     motion() const
     {
@@ -126,9 +129,12 @@ namespace MortarContact
     void
     turn(const unsigned int facet);
 
-    const std::string                      name;
-    const std::unique_ptr<Obstacle<dim>>   surface; ///< Null: facets.
-    const std::vector<Tensor<1, dim>>      vertices;
+    /// In reports, messages and files.
+    const std::string                    name;
+    const std::unique_ptr<Obstacle<dim>> surface; ///< Null: facets.
+    /// Of a mesh, in the body's own coordinates [m]; none of a smooth surface.
+    const std::vector<Tensor<1, dim>> vertices;
+    /// Numbers of their vertices, counter-clockwise from outside.
     std::vector<std::vector<unsigned int>> facets;
 
     /// The complete state.

@@ -18,11 +18,15 @@ namespace MortarContact
   /// Which boundary faces belong to a surface. An empty set means all.
   struct FaceSelection
   {
+    /// Faces with these ids; empty: with any.
     std::set<types::boundary_id> boundaries;
+    /// Of cells with these ids; empty: with any.
     std::set<types::material_id> materials;
     /// Of shells: the facets above and below the cells, and on free edges
     /// (those with the boundary ids above).
-    bool top = true, bottom = true, edges = true;
+    bool top    = true; ///< Of a shell: the side its normal shows to,
+    bool bottom = true; ///< the other,
+    bool edges  = true; ///< and the free edges.
   };
 
   /**

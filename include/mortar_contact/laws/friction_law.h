@@ -36,6 +36,7 @@ namespace MortarContact
   class CoulombFriction : public FrictionLaw
   {
   public:
+    /// @param decay [s/m], see the class.
     CoulombFriction(const double static_coefficient,
                     const double dynamic_coefficient,
                     const double decay);

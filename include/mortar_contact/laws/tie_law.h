@@ -20,6 +20,7 @@ namespace MortarContact
     /// minus d(stored energy)/d(damage) [J/m^2].
     double release = 0.;
 
+    /// For checkpoints and between ranks.
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
@@ -41,6 +42,7 @@ namespace MortarContact
   /// Strengths and energies of a tie that can fail.
   struct TieStrength
   {
+    /// How a tie fails.
     enum class Law
     {
       never,    ///< Tied for good.
@@ -48,6 +50,7 @@ namespace MortarContact
       dycoss,   ///< OPTION 7: shear strength grows under pressure.
       cohesive  ///< OPTION 9: bilinear, mixed mode.
     };
+    /// How the tie fails.
     Law    law           = Law::never;
     double normal        = 0.; ///< NFLS [Pa]
     double shear         = 0.; ///< SFLS [Pa]
@@ -55,11 +58,12 @@ namespace MortarContact
     double energy_shear  = 0.; ///< ERATES, mode II [J/m^2]
     /// Mixed mode (PARAM): exponent of the power law, or of Benzeggagh and
     /// Kenane's law.
-    bool   benzeggagh_kenane = false;
-    double exponent          = 1.;
-    double friction_angle    = 0.; ///< PARAM of OPTION 7 [rad]
-    double normal_stiffness  = 0.; ///< CN [Pa/m]; 0: contact stiffness.
-    double shear_ratio       = 1.; ///< CT2CN [-]
+    bool benzeggagh_kenane = false;
+    /// Of the mixed mode law [-].
+    double exponent         = 1.;
+    double friction_angle   = 0.; ///< PARAM of OPTION 7 [rad]
+    double normal_stiffness = 0.; ///< CN [Pa/m]; 0: contact stiffness.
+    double shear_ratio      = 1.; ///< CT2CN [-]
   };
 
   /**
@@ -82,6 +86,7 @@ namespace MortarContact
   class TieLaw
   {
   public:
+    /// The law with these strengths.
     explicit TieLaw(const TieStrength &strength);
 
     /**
@@ -101,6 +106,7 @@ namespace MortarContact
     double
     brittleness(const double stiffness) const;
 
+    /// As given.
     const TieStrength strength;
 
   private:

@@ -24,10 +24,10 @@ namespace MortarContact
     /// Facets that penetrate deeper than the release depth (or MPAR2) at the
     /// start, and are not treated therefore; the deepest.
     unsigned int   n_too_deep      = 0;
-    double         too_deep        = 0.;
-    double         too_deep_length = 0.;
-    unsigned int   too_deep_facet  = 0;
-    Tensor<1, dim> too_deep_position;
+    double         too_deep        = 0.; ///< Depth of the deepest [m],
+    double         too_deep_length = 0.; ///< characteristic length there [m],
+    unsigned int   too_deep_facet  = 0;  ///< secondary facet,
+    Tensor<1, dim> too_deep_position;    ///< and place [m].
   };
 
   /// How a sweep treats what it finds at the start.
@@ -55,16 +55,22 @@ namespace MortarContact
     /// A pair with contact.
     struct ActivePair
     {
-      unsigned int   secondary, primary; ///< Facets.
-      PairBlock<dim> block;
+      unsigned int   secondary; ///< Facet,
+      unsigned int   primary;   ///< and facet.
+      PairBlock<dim> block;     ///< Forces and derivatives.
     };
 
     /// Counts of the last evaluation, this rank.
     struct Counts
     {
-      unsigned int active = 0, open = 0, apart = 0, beyond = 0, degenerate = 0;
-      double       smallest_gap = std::numeric_limits<double>::max();
-      double       overlap      = 0.;
+      unsigned int active     = 0; ///< With a penetration.
+      unsigned int open       = 0; ///< Overlap, but a gap.
+      unsigned int apart      = 0; ///< No overlap.
+      unsigned int beyond     = 0; ///< Points behind the other surface.
+      unsigned int degenerate = 0; ///< Without a usable shape.
+      /// Of open pairs [m].
+      double smallest_gap = std::numeric_limits<double>::max();
+      double overlap      = 0.; ///< Largest depth of the meshes [m].
     };
 
     /// @param friction Null: none, and nothing of it is stored.
@@ -106,12 +112,14 @@ namespace MortarContact
              const double time_step,
              const bool   with_tangent);
 
+    /// Pairs with a penetration at the last evaluation.
     const std::vector<ActivePair> &
     active_pairs() const
     {
       return active;
     }
 
+    /// Of the last evaluation.
     const Counts &
     counts() const
     {
@@ -181,6 +189,7 @@ namespace MortarContact
     void
     start(const double share);
 
+    /// Of the last accepted step.
     const ContactHistory<dim> &
     state() const
     {
@@ -310,18 +319,15 @@ namespace MortarContact
     /// Depths on one facet.
     struct FacetDepths
     {
-      /// At the material points that see the other surface.
+      /// At the material points that see the other surface. Where the facet
+      /// overlaps in part, at all of them, of a function that is right at its
+      /// corners.
       std::vector<std::optional<Depth>> at_points;
-      /// Of these or, if there is none, of the corners.
+      /// Of the points or, if these lie open, of the corners.
       std::optional<Depth> deepest;
       Tensor<1, dim>       position; ///< Of the deepest.
-
-      /// At a material point; one that sees nothing goes with the deepest.
-      const std::optional<Depth> &
-      of_point(const unsigned int q) const
-      {
-        return at_points[q] ? at_points[q] : deepest;
-      }
+      /// Whether the points see gaps, and only corners overlap.
+      bool of_corners_only = false;
     };
 
     FacetDepths

@@ -28,18 +28,23 @@ namespace MortarContact
     double elastic_slip       = 0.; ///< Largest [m].
     double penetration_volume = 0.; ///< Integral of d over the active area.
     /// Largest d and d/l with its position, smallest gap; lengths [m].
-    double         penetration          = 0.;
-    double         relative_penetration = 0.; ///< d / l
+    double penetration          = 0.;
+    double relative_penetration = 0.; ///< d / l
+    /// Where that is [m].
     Tensor<1, dim> deepest_position;
     /// Largest overlap of the two meshes: d plus what the treatment of initial
     /// penetrations takes off [m].
-    double       overlap       = 0.;
-    double       smallest_gap  = std::numeric_limits<double>::max();
-    unsigned int n_points      = 0;
+    double overlap = 0.;
+    /// Of points in front of the primary [m].
+    double smallest_gap = std::numeric_limits<double>::max();
+    /// Contact points of the pair,
+    unsigned int n_points = 0;
+    /// and those of them that penetrate.
     unsigned int n_active      = 0;
     unsigned int n_beyond      = 0;     ///< Points deeper than the ceiling.
     bool         is_degenerate = false; ///< A facet without a usable shape.
 
+    /// Whether there is a force.
     bool
     is_active() const
     {

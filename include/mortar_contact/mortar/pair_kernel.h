@@ -68,6 +68,7 @@ namespace MortarContact
       /// On an obstacle.
       std::optional<SurfacePoint<dim>> surface;
     };
+    /// Where the line along the secondary's normal at @p xi meets a facet.
     std::optional<Hit>
     hit(const SecondaryFrame<dim> &secondary_frame,
         const PlanePoint<dim>     &xi,
@@ -91,7 +92,8 @@ namespace MortarContact
     /// A point of a segment, with its undeformed area.
     struct SegmentPoint
     {
-      PlanePoint<dim> xi, eta;
+      PlanePoint<dim> xi;     ///< On the secondary [-]
+      PlanePoint<dim> eta;    ///< On the primary [-]
       double          weight; ///< [m^2]
     };
 
@@ -109,8 +111,10 @@ namespace MortarContact
                   const PlanePoint<dim>   &eta,
                   const bool               is_open = false) const;
 
+    /// What happens at each point.
     const PointKernel<dim> point;
-    const KernelOptions   &options;
+    /// Of the point kernel.
+    const KernelOptions &options;
 
   private:
     std::vector<SimplexPoint<dim>> rule;

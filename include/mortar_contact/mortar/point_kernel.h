@@ -14,14 +14,15 @@ namespace MortarContact
   /// How the contact integral is taken.
   struct Integration
   {
+    /// Where the points are.
     enum class Rule
     {
       segments, ///< Clipping, exact for plane facets.
       points,   ///< Points fixed on the secondary, no clipping: cheaper.
       nodes     ///< The secondary's vertices: node-to-segment contact.
     };
-    Rule         rule   = Rule::segments;
-    unsigned int degree = 5; ///< Of the rule on segments, 2 to 6.
+    Rule         rule   = Rule::segments; ///< Where the points are.
+    unsigned int degree = 5;              ///< Of the rule on segments, 2 to 6.
     /// For Rule::points. Even: no point lies on the middle line of a facet,
     /// where edges of another regular mesh like to be.
     unsigned int points_per_direction = 4;
@@ -37,7 +38,8 @@ namespace MortarContact
   /// What the kernel does, chosen once when an interface is built.
   struct KernelOptions
   {
-    Integration   integration;
+    Integration integration; ///< How the integral is taken.
+    /// Whose stiffness acts.
     StiffnessSide stiffness_side = StiffnessSide::series;
     /// Points with d > ceiling * l are taken for a surface behind, not for
     /// contact. Far beyond the release depth l/2.
@@ -48,7 +50,7 @@ namespace MortarContact
     /// Facets that face each other contribute fully up to the first cosine,
     /// nothing beyond the second: 60 and 80 degrees.
     double full_cosine = 0.5;
-    double zero_cosine = 0.17364817766693033;
+    double zero_cosine = 0.17364817766693033; ///< See full_cosine.
 
     /// Tangential stiffness over (K/l) while sticking [-].
     double tangential_scale = 0.1;
@@ -73,10 +75,10 @@ namespace MortarContact
   template <int dim>
   struct SecondaryState
   {
-    /// Initial penetration at the vertices, extrapolated, and what is left of
-    /// it, see initial_penetration.h [m].
+    /// Initial penetration at the vertices, extrapolated, see
+    /// initial_penetration.h [m].
     VertexValues<dim> level = {};
-    double            share = 0.;
+    double            share = 0.; ///< What is left of it [-].
     /// Augmentation at the vertices: depth that the pressure acts as if it were
     /// deeper [m].
     VertexValues<dim> augmentation = {};
@@ -91,26 +93,25 @@ namespace MortarContact
   template <int dim>
   struct PrimaryPoint : SurfacePoint<dim>
   {
-    /// Shape functions of the vertices that carry forces, and derivatives by
-    /// eta; none on an obstacle.
-    unsigned int                           n_vertices = 0;
-    VertexValues<dim>                      N          = {};
-    std::array<VertexValues<dim>, dim - 1> dN         = {};
-    /// l/K and l, and their derivatives by eta.
-    double                      compliance = 0., length = 0.;
-    std::array<double, dim - 1> dcompliance = {}, dlength = {};
-    double                      surface_offset = 0.;
+    unsigned int n_vertices = 0; ///< That carry forces; none on an obstacle.
+    VertexValues<dim>                      N  = {}; ///< Their shape functions,
+    std::array<VertexValues<dim>, dim - 1> dN = {}; ///< derivatives by eta.
+    double                                 compliance  = 0.; ///< l/K [m/Pa]
+    double                                 length      = 0.; ///< l [m]
+    std::array<double, dim - 1>            dcompliance = {}; ///< By eta.
+    std::array<double, dim - 1>            dlength     = {}; ///< By eta.
+    double surface_offset = 0.; ///< Contact surface over mesh [m]
   };
 
   /// A contact point on the secondary, with the motion of its place and weight.
   template <int dim>
   struct ContactPoint
   {
-    PlanePoint<dim> xi;
+    PlanePoint<dim> xi;     ///< On the secondary [-]
     double          weight; ///< W, reference area times the sweep's weight.
     bool            moves = false; ///< Whether the next two are there.
-    PairVector<dim> dweight;
-    std::array<PairVector<dim>, dim - 1> dxi;
+    PairVector<dim> dweight; ///< Of W by the positions of the pair's vertices,
+    std::array<PairVector<dim>, dim - 1> dxi; ///< and of xi.
   };
 
   /// What can be summed over the points of a pair before the last product.
@@ -130,7 +131,7 @@ namespace MortarContact
     double          length      = 0.; ///< l
     PlanePoint<dim> elastic_slip;     ///< After the step [m]
     double          slip   = 0.;      ///< Sliding of the step, length [m]
-    bool            sticks = true;
+    bool            sticks = true;    ///< Or slides.
   };
 
   /**
@@ -171,6 +172,7 @@ namespace MortarContact
               CurvatureSums<dim>        &sums,
               PairBlock<dim>            &block) const;
 
+    /// What comes of the curvature of n, once for all points of a pair.
     void
     add_curvature(const SecondaryFrame<dim> &frame,
                   const CurvatureSums<dim>  &sums,
@@ -191,13 +193,14 @@ namespace MortarContact
             const double c_p,
             const double l_p) const;
 
+    /// Whether there is a friction law.
     bool
     has_friction() const
     {
       return friction != nullptr;
     }
 
-    const KernelOptions options;
+    const KernelOptions options; ///< As given.
 
   private:
     struct Kinematics;

@@ -27,16 +27,20 @@ namespace MortarContact
   template <int dim>
   struct SecondaryFrame
   {
+    /// Of the facet in its present place.
     explicit SecondaryFrame(const Facet<dim> &facet);
 
-    Facet<dim>                          facet;
+    /// As given.
+    Facet<dim> facet;
+    /// Mean of the vertices [m].
     Tensor<1, dim>                      centre;
     Tensor<1, dim>                      normal;        ///< n, unit, outward.
     double                              normal_length; ///< |w|
-    std::array<Tensor<1, dim>, dim - 1> basis;
+    std::array<Tensor<1, dim>, dim - 1> basis;  ///< Of the plane, orthonormal.
     PlaneFacet<dim>                     y;      ///< Projected vertices.
     VertexValues<dim>                   height; ///< n . (x_a - centre)
-    double                              diameter;
+    /// Largest distance of vertices [m].
+    double diameter;
 
     /// dw/dx_a of the unnormalised normal w, [vertex] dim x dim.
     std::array<Tensor<2, dim>, max_vertices<dim>> dw;

@@ -17,10 +17,12 @@ namespace MortarContact
   template <int dim>
   struct ProjectedPrimary
   {
+    /// Project @p facet along the secondary's normal.
     ProjectedPrimary(const SecondaryFrame<dim> &frame, const Facet<dim> &facet);
 
+    /// As given.
     Facet<dim>        facet;
-    PlaneFacet<dim>   y;
+    PlaneFacet<dim>   y;      ///< Its vertices in the secondary's plane [m].
     VertexValues<dim> height; ///< n . (x_b - centre of the secondary)
   };
 
@@ -32,6 +34,7 @@ namespace MortarContact
   template <int dim>
   struct VertexMotion
   {
+    /// Motion of both facets' vertices in the secondary's plane.
     VertexMotion(const SecondaryFrame<dim>   &frame,
                  const ProjectedPrimary<dim> &primary);
 
@@ -54,8 +57,10 @@ namespace MortarContact
   class MortarSegments
   {
   public:
+    /// Cut @p overlap into simplices.
     explicit MortarSegments(const Overlap<dim> &overlap);
 
+    /// Intervals (2d) or triangles.
     unsigned int
     n_simplices() const
     {
@@ -77,6 +82,7 @@ namespace MortarContact
                    const ProjectedPrimary<dim> &primary,
                    const VertexMotion<dim>     &vertices);
 
+    /// Whether derivatives have been asked for.
     bool
     has_motion() const
     {

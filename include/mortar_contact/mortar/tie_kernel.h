@@ -11,12 +11,14 @@ namespace MortarContact
   template <int dim>
   struct TiePoint
   {
-    PlanePoint<dim> xi, eta;        ///< On the secondary, on the primary.
+    PlanePoint<dim> xi;             ///< On the secondary [-]
+    PlanePoint<dim> eta;            ///< On the primary [-]
     double          weight    = 0.; ///< Undeformed area [m^2]
     double          stiffness = 0.; ///< Contact stiffness [Pa/m]
     Tensor<1, dim>  apart;          ///< Components of x_s - x_p at the start
     TieHistory      history;        ///< in the secondary's basis [m].
 
+    /// For checkpoints and between ranks.
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)

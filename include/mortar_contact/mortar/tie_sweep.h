@@ -33,6 +33,7 @@ namespace MortarContact
   class TieSweep
   {
   public:
+    /// As those of contact.
     using ActivePair = typename ContactSweep<dim>::ActivePair;
 
     /**
@@ -55,9 +56,11 @@ namespace MortarContact
       return pairs;
     }
 
+    /// Forces of all ties in the present configuration.
     void
     evaluate(const bool with_tangent);
 
+    /// Pairs of facets with ties that hold.
     const std::vector<ActivePair> &
     active_pairs() const
     {
@@ -72,6 +75,7 @@ namespace MortarContact
     std::vector<char>
     holds() const;
 
+    /// Of the last evaluation.
     TieCounts
     counts() const;
 

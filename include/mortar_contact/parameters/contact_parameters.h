@@ -23,6 +23,7 @@ namespace MortarContact
    */
   struct ContactParameters
   {
+    /// Kinds of contact, with LS-DYNA's names.
     enum class Kind
     {
       forming_surface_to_surface,   ///< One sweep over the secondary.
@@ -50,41 +51,53 @@ namespace MortarContact
     /// Uzawa's method on the pointwise pressure.
     struct Augmentation
     {
-      bool         is_on     = false;
-      double       tolerance = 0.; ///< Penetration that may stay [m].
-      unsigned int most      = 20; ///< Augmentations per step.
+      bool         is_on     = false; ///< Uzawa's iteration.
+      double       tolerance = 0.;    ///< Penetration that may stay [m].
+      unsigned int most      = 20;    ///< Augmentations per step.
     };
 
-    Kind        kind = Kind::automatic_surface_to_surface;
+    /// Kind of contact.
+    Kind kind = Kind::automatic_surface_to_surface;
+    /// How the integral is taken.
     Integration integration;
+    /// Name of the pressure law, see PressureLaw.
     std::string law             = "parabola linear";
     double      stiffness_scale = 1.;  ///< SFS [-]
     double      penalty_factor  = 0.1; ///< SLSFAC [-]
     double      modulus         = 0.;  ///< K [Pa]; 0: of the cells' materials.
-    std::string stiffness_side  = "automatic";
+    /// "secondary", "series" or "automatic", see side().
+    std::string stiffness_side = "automatic";
     /// "local", "shortest edge", or a length [m].
     std::string characteristic_length  = "local";
     double      progressive_stiffening = 1.; ///< IGAP [-], >= 1
     double      largest_penetration    = 0.; ///< PENMAX [m]; 0: l/2.
-    Release     release                = Release::cut_back;
-    double      secondary_offset       = 0.; ///< [m]
-    double      primary_offset         = 0.; ///< [m]
-    double      thickness       = 0.; ///< Of shells, SST [m]; 0: their own.
-    double      thickness_scale = 1.; ///< SFST
+    /// What happens beyond the largest penetration.
+    Release release          = Release::cut_back;
+    double  secondary_offset = 0.; ///< [m]
+    double  primary_offset   = 0.; ///< [m]
+    double  thickness        = 0.; ///< Of shells, SST [m]; 0: their own.
+    double  thickness_scale  = 1.; ///< SFST
 
+    /// IGNORE
     InitialPenetration initial_penetration = InitialPenetration::stress;
     double             initial_pressure    = 0.; ///< MPAR1 for ignore [Pa]
     double             removal_time        = 0.; ///< MPAR1 for remove [s]
     double             deepest_penetration = 0.; ///< MPAR2 [m]
 
+    /// Off without a coefficient.
     FrictionParameters friction;
-    TieParameters      tie;
-    Augmentation       augmentation;
-    ToolNormals        tool_normals = ToolNormals::check;
+    /// For kinds with ties.
+    TieParameters tie;
+    /// Off.
+    Augmentation augmentation;
+    /// Of forming contact.
+    ToolNormals tool_normals = ToolNormals::check;
 
-    unsigned int report_every      = 1; ///< MINFO, steps; 0: never.
-    unsigned int n_worst_facets    = 3;
-    bool         symmetric_tangent = false;
+    unsigned int report_every = 1; ///< MINFO, steps; 0: never.
+    /// In each report.
+    unsigned int n_worst_facets = 3;
+    /// Its symmetric part only.
+    bool symmetric_tangent = false;
 
     /// Declare all entries with their defaults and help.
     static void
@@ -98,6 +111,7 @@ namespace MortarContact
     void
     check() const;
 
+    /// The one that acts: where automatic, as the kind says.
     StiffnessSide
     side() const;
 
@@ -105,6 +119,7 @@ namespace MortarContact
     unsigned int
     n_sweeps() const;
 
+    /// Tied, or tied until a law fails.
     bool
     has_ties() const
     {

@@ -23,15 +23,19 @@ namespace MortarContact
     std::string formula;           ///< mu(p, v); empty: Coulomb's law.
     double      elastic_slip = 0.; ///< [m]; 0: from the contact stiffness.
 
+    /// Entries with their defaults and help.
     static void
     declare(ParameterHandler &prm);
 
+    /// What declare() declared.
     void
     read(ParameterHandler &prm);
 
+    /// @throw ExcMessage where entries do not fit together.
     void
     check() const;
 
+    /// Whether there is a coefficient.
     bool
     is_on() const
     {

@@ -14,9 +14,11 @@ namespace MortarContact
     double      tolerance = 0.; ///< [m]; 0: 5 % of each facet's diameter.
     TieStrength strength;       ///< Law: of tiebreak.
 
+    /// Entries with their defaults and help.
     static void
     declare(ParameterHandler &prm);
 
+    /// What declare() declared.
     void
     read(ParameterHandler &prm);
 

@@ -21,6 +21,7 @@ namespace MortarContact
     std::string             part; ///< Name given with add_secondary/primary.
     types::global_dof_index cell = 0; ///< Global active cell index of the part.
 
+    /// For checkpoints and between ranks.
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
@@ -34,9 +35,11 @@ namespace MortarContact
   {
     double       penetration = 0.; ///< [m]
     double       relative    = 0.; ///< Over the release depth; 1: released.
-    FacetLabel   secondary, primary;
-    Tensor<1, 3> position; ///< [m]
+    FacetLabel   secondary;        ///< Facet,
+    FacetLabel   primary;          ///< and what it is in.
+    Tensor<1, 3> position;         ///< [m]
 
+    /// For checkpoints and between ranks.
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
@@ -48,26 +51,30 @@ namespace MortarContact
   /// What was found at the start, and what is done about it.
   struct InitialReport
   {
-    unsigned int       n_facets = 0; ///< Facets that penetrate and are treated.
-    DeepPenetration    deepest;      ///< Of them.
-    InitialPenetration treatment = InitialPenetration::stress;
+    unsigned int    n_facets = 0; ///< Facets that penetrate and are treated.
+    DeepPenetration deepest;      ///< Of them.
+    /// IGNORE
+    InitialPenetration treatment      = InitialPenetration::stress;
+    double             asked_pressure = 0.; ///< That should remain [Pa].
     /// Facets that penetrate by more than the release depth: no contact there
     /// until they separate (IGNORE 0 to 3).
     unsigned int    n_undetected = 0;
     DeepPenetration undetected; ///< The deepest of them.
     /// Ranges of contact modulus [Pa] and characteristic length [m], one per
     /// side: secondary, primary.
-    double lowest_modulus[2] = {0., 0.}, highest_modulus[2] = {0., 0.};
-    double lowest_length[2] = {0., 0.}, highest_length[2] = {0., 0.};
+    double lowest_modulus[2]  = {0., 0.};
+    double highest_modulus[2] = {0., 0.}; ///< See lowest_modulus.
+    double lowest_length[2]   = {0., 0.}; ///< See lowest_modulus.
+    double highest_length[2]  = {0., 0.}; ///< See lowest_modulus.
     /// Facets of the sides.
     unsigned int n_side_facets[2] = {0, 0};
     /// Tool facets that were turned over to point to the blank.
-    unsigned int n_turned = 0;
-    /// Ties: area of the secondary, what of it is tied, facets without a tie,
-    /// largest gap that was tied [m^2, m].
-    double       secondary_area = 0., tied_area = 0., largest_tied_gap = 0.;
-    double       loose_area    = 0.; ///< Of facets that are tied in part.
-    unsigned int n_free_facets = 0;
+    unsigned int n_turned         = 0;
+    double       secondary_area   = 0.; ///< With ties only [m^2],
+    double       tied_area        = 0.; ///< and what of it is tied [m^2].
+    double       largest_tied_gap = 0.; ///< [m]
+    double       loose_area       = 0.; ///< Of facets that are tied in part.
+    unsigned int n_free_facets    = 0;  ///< Secondary facets without a tie.
   };
 
   /**
@@ -76,9 +83,10 @@ namespace MortarContact
    */
   struct ContactReport
   {
-    std::string   name;
-    InitialReport initial;
+    std::string   name;    ///< Of the interface.
+    InitialReport initial; ///< Of setup().
 
+    /// Pairs that the search has found.
     unsigned int candidate_pairs  = 0;
     unsigned int active_pairs     = 0; ///< With a penetration.
     unsigned int open_pairs       = 0; ///< Overlap, but a gap.
@@ -107,10 +115,11 @@ namespace MortarContact
     /// Contact force on one part, and its moment about the origin.
     struct Part
     {
-      std::string  name;
-      Tensor<1, 3> force, moment;
+      std::string  name;   ///< As given with add_secondary/primary.
+      Tensor<1, 3> force;  ///< [N]
+      Tensor<1, 3> moment; ///< [N m]
     };
-    std::vector<Part> parts;
+    std::vector<Part> parts; ///< Of both sides.
 
     /// The deepest penetrations, one per secondary facet.
     std::vector<DeepPenetration> worst;
@@ -118,14 +127,15 @@ namespace MortarContact
     /// Facets beyond the release depth in the present configuration.
     unsigned int n_too_deep = 0;
     /// Facets whose contact has been released since setup().
-    unsigned int n_released = 0;
-    /// Augmentations in the present step, and since setup().
-    unsigned int n_augmentations = 0, n_augmentations_total = 0;
+    unsigned int n_released            = 0;
+    unsigned int n_augmentations       = 0; ///< In the present step.
+    unsigned int n_augmentations_total = 0; ///< Since setup().
 
     /// Whether pairs have come since the last add_couplings().
     bool couplings_changed = true;
 
-    double search_seconds   = 0.; ///< Since setup(), slowest rank.
+    double search_seconds = 0.; ///< Since setup(), slowest rank.
+    /// The same for forces and tangents.
     double evaluate_seconds = 0.;
 
     /// The interface in one line.

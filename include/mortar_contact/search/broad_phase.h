@@ -14,7 +14,8 @@ namespace MortarContact
   template <int dim>
   struct Box
   {
-    Tensor<1, dim> low, high;
+    Tensor<1, dim> low;  ///< Lowest corner [m].
+    Tensor<1, dim> high; ///< Highest corner [m].
   };
 
   /// Smallest box around a facet.
@@ -37,6 +38,7 @@ namespace MortarContact
   class BroadPhase
   {
   public:
+    /// An R-tree over @p boxes.
     explicit BroadPhase(const std::vector<Box<dim>> &boxes);
     ~BroadPhase();
 

@@ -17,8 +17,10 @@ namespace MortarContact
   class MaterialLocator
   {
   public:
+    /// A place on a surface.
     struct Place
     {
+      /// Number in the list given.
       unsigned int    facet;
       PlanePoint<dim> xi;       ///< Inside.
       double          distance; ///< [m]
@@ -52,6 +54,7 @@ namespace MortarContact
   class PointLocator
   {
   public:
+    /// Over @p points [m].
     explicit PointLocator(std::vector<Tensor<1, dim>> points);
 
     /// Number of the point nearest to @p x; nothing: there are no points.

@@ -28,6 +28,7 @@ namespace MortarContact
     /// (as a cosine) beyond the limit stay candidates.
     static constexpr double turning = 0.35;
 
+    /// @param zero_cosine, ceiling As in KernelOptions.
     PairFilter(const Skin<dim> &secondary,
                const Skin<dim> &primary,
                const double     zero_cosine,
@@ -90,6 +91,7 @@ namespace MortarContact
       return r.norm() - 0.5 * sizes < std::max(2. * reach, 1.5 * depth);
     }
 
+    /// Whether two facets of one surface have a vertex in common.
     static bool
     share_vertex(const Skin<dim>   &secondary,
                  const unsigned int s,

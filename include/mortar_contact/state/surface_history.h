@@ -20,17 +20,19 @@ namespace MortarContact
   template <int dim>
   struct FacetHistory
   {
-    Facet<dim>   undeformed;
-    unsigned int part        = 0;
-    bool         is_released = false;
-    /// At the material points [m].
-    VertexValues<dim> level = {}, sliding = {}, augmentation = {};
+    Facet<dim>        undeformed;           ///< The facet [m].
+    unsigned int      part         = 0;     ///< Of the surface.
+    bool              is_released  = false; ///< See ContactHistory.
+    VertexValues<dim> level        = {};    ///< At the material points [m].
+    VertexValues<dim> sliding      = {};    ///< At the material points [m].
+    VertexValues<dim> augmentation = {};    ///< At the material points [m].
     /// Components in the basis of the facet at the end of the last accepted
     /// step [m], and
     std::array<PlanePoint<dim>, max_vertices<dim>> elastic_slip;
     /// the facet there; both with friction only.
     Facet<dim> accepted;
 
+    /// For checkpoints and between ranks.
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
@@ -49,16 +51,19 @@ namespace MortarContact
   {
     /// Secondary facets; empty if no facet remembers anything.
     std::vector<FacetHistory<dim>> facets;
-    bool has_levels = false, has_releases = false, has_slip = false,
-         has_augmentation = false;
+    bool has_levels       = false; ///< Which parts of facets count: level,
+    bool has_releases     = false; ///< is_released,
+    bool has_slip         = false; ///< sliding, elastic_slip and accepted,
+    bool has_augmentation = false; ///< augmentation.
 
     /// Pairs that are set aside, see ContactHistory: the two facets,
     /// undeformed, and their parts.
     struct PairAside
     {
-      std::array<Facet<dim>, 2>   undeformed;
-      std::array<unsigned int, 2> parts;
+      std::array<Facet<dim>, 2>   undeformed; ///< The facets [m].
+      std::array<unsigned int, 2> parts;      ///< Of the surface.
 
+      /// For checkpoints and between ranks.
       template <class Archive>
       void
       serialize(Archive &archive, const unsigned int)
@@ -66,11 +71,12 @@ namespace MortarContact
         archive &undeformed &parts;
       }
     };
-    std::vector<PairAside> aside;
+    std::vector<PairAside> aside; ///< Pairs that are set aside.
 
     /// What was left of the levels at the end of the last accepted step.
     double share = 0.;
 
+    /// For checkpoints and between ranks.
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
@@ -88,6 +94,7 @@ namespace MortarContact
     std::vector<std::pair<Tensor<1, dim>, TieHistory>> ties;
     double                                             dissipated = 0.; ///< [J]
 
+    /// For checkpoints and between ranks.
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)

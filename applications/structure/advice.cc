@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "advice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace Structure
+{
+  namespace
+  {
+    /// A penalty's share that deserves a word, and the one that is proposed.
+    constexpr double large_share = 0.05, good_share = 0.02;
+
+    /// Rejected tries per step, Newton iterations per step, the contact's share
+    /// of the time and a time [s] from which on they deserve one.
+    constexpr double many_cut_backs = 0.5, many_iterations = 10.,
+                     large_contact_time = 0.5, long_run = 60.;
+
+    /// To one digit.
+    std::string
+    rounded(const double x)
+    {
+      const double       unit = std::pow(10., std::floor(std::log10(x)));
+      std::ostringstream out;
+      out << std::round(x / unit) * unit;
+      return out.str();
+    }
+
+    std::string
+    percent(const double share)
+    {
+      std::ostringstream out;
+      out << std::setprecision(2) << 100. * share << " %";
+      return out.str();
+    }
+  } // namespace
+
+
+  double
+  penalty_share(const RunFigures &run, const RunFigures::Interface &interface)
+  {
+    double all = run.strain_energy;
+    for (const RunFigures::Interface &i : run.interfaces)
+      all += i.energy;
+    return (run.strain_energy > 0. && interface.energy > 0.) ?
+             interface.energy / all :
+             0.;
+  }
+
+
+  std::vector<std::string>
+  advice(const RunFigures &run)
+  {
+    std::vector<std::string> sentences;
+    for (const RunFigures::Interface &i : run.interfaces)
+      {
+        const double share = penalty_share(run, i);
+        if (share < large_share)
+          continue;
+        // At a given pressure the energy of a spring p = k d^n falls with
+        // k^(-1/n).
+        const double n = (i.parameters->law == "linear") ? 1. : 2.;
+        const double ratio =
+          (i.energy / run.strain_energy) / (good_share / (1. - good_share));
+        sentences.push_back(
+          "ACCURACY: the penalty of '" + i.name + "' holds " + percent(share) +
+          " of the elastic energy; forces (or motions, where forces are given) "
+          "may be wrong by as much. 'Contact/" +
+          i.name + "/Stiffness scale = " +
+          rounded(i.parameters->stiffness_scale * std::pow(ratio, n)) +
+          "' would make it about " + percent(good_share) +
+          (n == 1. ? "." :
+                     ", 'Law = linear' needs less; 'Augmentation = Uzawa' "
+                     "iterates to a 'Penetration tolerance'."));
+      }
+    const double steps = std::max(run.steps, 1u);
+    if (run.cut_backs > many_cut_backs * steps)
+      sentences.push_back("SPEED: " + std::to_string(run.cut_backs) +
+                          " tries were rejected in " +
+                          std::to_string(run.steps) +
+                          " steps; their reasons are above. See "
+                          "doc/when_it_does_not_converge.md.");
+    else if (run.steps > 1 && run.iterations > many_iterations * steps)
+      sentences.push_back(
+        "SPEED: " + std::to_string(run.iterations) + " iterations in " +
+        std::to_string(run.steps) + " steps." +
+        (run.is_static && !run.predicts ?
+           " Where something moves steadily, 'Solver/Newton/Predictor = "
+           "linear' saves many." :
+           " See doc/when_it_does_not_converge.md."));
+    if (run.all_seconds > long_run &&
+        run.contact_seconds > large_contact_time * run.all_seconds)
+      sentences.push_back("SPEED: contact takes " +
+                          percent(run.contact_seconds / run.all_seconds) +
+                          " of the time; 'Integration = points' costs less on "
+                          "fine meshes, and is rougher.");
+    return sentences;
+  }
+} // namespace Structure
