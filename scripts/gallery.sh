@@ -18,6 +18,8 @@ show prm/dummy_on_hood.prm hood.png hood
 show prm/shell_leaflet.prm valve.png valve
 show prm/tutorial/07_self_contact.prm run.png tube
 show prm/tutorial/08_your_own_mesh.prm run.png hook
+/usr/bin/python3 scripts/plot_run.py output/gallery/hook --time 0.6
+/usr/bin/python3 scripts/shrink.py output/gallery/hook/run.png $pictures/hook.png
 show prm/verification/ironing.prm run.png ironing
 show prm/verification/hemisphere.prm run.png hemisphere
 for more in rubber_fit/section rubber_fit/overlap hood/force valve/valve_history; do

@@ -1,15 +1,15 @@
 #!/usr/bin/python3
 """A picture of any finished run: bodies and forces.
 
-Usage: scripts/plot_run.py FOLDER [COLUMN...]
+Usage: scripts/plot_run.py FOLDER [--time T] [COLUMN...]
 
-Writes FOLDER/run.png: the deformed bodies of the last step, coloured by von Mises
-stress, and columns of history.csv over time (by default all contact forces and
+Writes FOLDER/run.png: the deformed bodies at time T (by default of the last step),
+coloured by von Mises stress, and columns of history.csv over time (by default all contact forces and
 reactions that are not zero).
 """
+import argparse
 import csv
 import os
-import sys
 import xml.etree.ElementTree as xml
 
 import matplotlib
@@ -22,13 +22,13 @@ from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 from vtk.util.numpy_support import vtk_to_numpy
 
 
-def last_files(folder):
-    """Files of the last time of solution.pvd."""
+def files_near(folder, time):
+    """Files of the time of solution.pvd that is nearest to a given one."""
     by_time = {}
     for entry in xml.parse(os.path.join(folder, "solution.pvd")).iter("DataSet"):
-        time = float(entry.get("timestep"))
-        by_time.setdefault(time, []).append(os.path.join(folder, entry.get("file")))
-    return by_time[max(by_time)]
+        at = float(entry.get("timestep"))
+        by_time.setdefault(at, []).append(os.path.join(folder, entry.get("file")))
+    return by_time[min(by_time, key=lambda t: abs(t - min(time, max(by_time))))]
 
 
 def surface_of(file):
@@ -59,9 +59,14 @@ def surface_of(file):
 
 
 def main():
-    folder = sys.argv[1]
+    arguments = argparse.ArgumentParser()
+    arguments.add_argument("folder")
+    arguments.add_argument("--time", type=float, default=float("inf"))
+    arguments.add_argument("columns", nargs="*")
+    arguments = arguments.parse_args()
+    folder = arguments.folder
     polygons, values = [], []
-    for file in last_files(folder):
+    for file in files_near(folder, arguments.time):
         p, v = surface_of(file)
         polygons += p
         values += v
@@ -107,7 +112,7 @@ def main():
         if "force_" in key or key.startswith("reaction:")
     }
     round_off = 1e-9 * max(largest.values(), default=0.0)
-    columns = sys.argv[2:] or [key for key in largest if largest[key] > round_off]
+    columns = arguments.columns or [key for key in largest if largest[key] > round_off]
     axis = figure.add_subplot(1, 2, 2)
     for column in columns:
         axis.plot(time, [float(row[column]) for row in rows], ".-", label=column)

@@ -3,7 +3,7 @@
 
 Usage: scripts/shrink.py FROM.png TO.png
 
-At most 900 pixels wide, 64 colours.
+At most 900 pixels wide, 256 colours.
 """
 import sys
 
@@ -15,7 +15,7 @@ def main():
         sys.exit(__doc__)
     picture = Image.open(sys.argv[1]).convert("RGB")
     picture.thumbnail((900, 900))
-    picture.quantize(64).save(sys.argv[2], optimize=True)
+    picture.quantize(256).save(sys.argv[2], optimize=True)
 
 
 if __name__ == "__main__":

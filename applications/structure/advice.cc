@@ -57,7 +57,8 @@ namespace Structure
     for (const RunFigures::Interface &i : run.interfaces)
       {
         const double share = penalty_share(run, i);
-        if (share < large_share)
+        // glue may well be meant to be soft
+        if (share < large_share || i.parameters->has_ties())
           continue;
         // At a given pressure the energy of a spring p = k d^n falls with
         // k^(-1/n).

@@ -492,7 +492,7 @@ namespace MortarContact
     constexpr double inside_corner = 1e-3;
     // Extrapolated depths may miss those at corners by this share of the
     // deepest.
-    constexpr double corner_tolerance = 0.05;
+    constexpr double corner_tolerance = 0.5;
 
     const Facet<dim>         &facet = secondary.facets[f].current;
     const unsigned int        n     = facet.n_vertices;
