@@ -157,6 +157,26 @@ namespace Structure
     app.add_flag("--check", check, "Read, build and report, do not solve");
     app.add_flag("--quiet", quiet, "Nothing on the terminal but errors");
     app.set_version_flag("--version", "MortarContact 0.1.0");
+    app.footer(
+      "Examples:\n"
+      "  " +
+      driver.name +
+      " scene.prm --check          what the scene has, without solving\n"
+      "  " +
+      driver.name +
+      " scene.prm --set \"Steps/First step=0.01\"\n"
+      "  mpirun -np 2 " +
+      driver.name +
+      " scene.prm\n"
+      "  " +
+      driver.name +
+      " scene.prm --restart output continue where a run ended\n"
+      "Exit codes: 0 finished, 1 wrong input, 2 no convergence (last state "
+      "saved),\n"
+      "3 internal error, 4 stopped by a signal (saved).\n"
+      "Tutorials: prm/tutorial. All entries: --print-parameters. What to do "
+      "when a run\n"
+      "fails: doc/when_it_does_not_converge.md.");
     try
       {
         app.parse(argc, argv);
