@@ -43,13 +43,19 @@ if [ "$status" = 0 ]; then
     *" --check "* | *" --print-parameters "* | *" --help "* | *" --version "*) exit 0 ;;
   esac
   install_missing $picture_packages
-  folder=$(sed -n 's/^[[:space:]]*set[[:space:]]\+Directory[[:space:]]*=[[:space:]]*//p' "$file" | tail -1)
+  folder=$(sed -n 's/^[[:space:]]*set[[:space:]]\+Directory[[:space:]]*=[[:space:]]*//p' "$file" |
+    sed 's/[[:space:]]*\(#.*\)\{0,1\}$//' | tail -1)
   previous=
   for word in "$@"; do
     [ "$previous" = --output ] && folder=$word
+    case "$word" in
+      --output=*) folder=${word#--output=} ;;
+      Output/Directory=*) folder=${word#Output/Directory=} ;;
+    esac
     previous=$word
   done
-  /usr/bin/python3 "$root/scripts/$pictures" "${folder:-output}"
+  /usr/bin/python3 "$root/scripts/$pictures" "${folder:-output}" ||
+    echo "WARNING: the pictures could not be made." >&2
   /usr/bin/python3 "$root/scripts/report.py" "${folder:-output}"
 fi
 exit "$status"

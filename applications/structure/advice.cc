@@ -32,7 +32,8 @@ namespace Structure
     percent(const double share)
     {
       std::ostringstream out;
-      out << std::setprecision(2) << 100. * share << " %";
+      out << std::fixed << std::setprecision(share < 0.095 ? 1 : 0)
+          << 100. * share << " %";
       return out.str();
     }
   } // namespace
@@ -44,7 +45,9 @@ namespace Structure
     double all = run.strain_energy;
     for (const RunFigures::Interface &i : run.interfaces)
       all += i.energy;
-    return (run.strain_energy > 0. && interface.energy > 0.) ?
+    // Uzawa's energy is that of the pressures, not of the penetrations
+    return (run.strain_energy > 0. && interface.energy > 0. &&
+            !interface.parameters->augmentation.is_on) ?
              interface.energy / all :
              0.;
   }

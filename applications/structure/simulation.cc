@@ -796,14 +796,16 @@ namespace Structure
       Utilities::MPI::sum(static_cast<double>(memory.VmHWM), communicator);
 
     RunFigures run;
-    run.strain_energy   = model.strain_energy(u);
-    run.steps           = step;
-    run.iterations      = newton_iterations;
-    run.cut_backs       = cut_backs;
-    run.predicts        = scene.newton.predicts;
-    run.is_static       = !model.is_dynamic();
-    run.contact_seconds = times["contact: search and evaluation"];
-    run.all_seconds     = wall.wall_time();
+    run.strain_energy = model.strain_energy(u);
+    run.steps         = step;
+    run.iterations    = newton_iterations;
+    run.cut_backs     = cut_backs;
+    run.predicts      = scene.newton.predicts;
+    run.is_static     = !model.is_dynamic();
+    if (const auto contact = times.find("contact: search and evaluation");
+        contact != times.end())
+      run.contact_seconds = contact->second;
+    run.all_seconds = wall.wall_time();
     for (const auto &interface : model.interfaces)
       run.interfaces.push_back(
         {interface->name, &interface->parameters, interface->report().energy});

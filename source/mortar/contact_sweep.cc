@@ -570,19 +570,28 @@ namespace MortarContact
     if (agrees)
       return result;
 
-    // Step 4: if not, levels follow the corners, no farther below zero than the
-    // deepest is above.
+    // Step 4: if not, levels follow the corners, and points that overlap; no
+    // farther below zero than the deepest is above, and nowhere above it.
     VertexValues<dim> by_corners{};
     for (unsigned int a = 0; a < n; ++a)
       by_corners[a] =
-        corners[a] ? std::max(corners[a]->depth, -at_deepest) : at_deepest;
+        std::clamp(corners[a] ? corners[a]->depth : at_vertices[a],
+                   -at_deepest,
+                   at_deepest);
+    const auto at_point = [&](const unsigned int       q,
+                              const VertexValues<dim> &by_vertices) {
+      return PairAlgebra::dot<dim>(shape_values<dim>(n, points[q]),
+                                   by_vertices);
+    };
     for (unsigned int q = 0; q < n; ++q)
-      {
-        Depth       &d = *result.at_points[q];
-        const double there =
-          PairAlgebra::dot<dim>(shape_values<dim>(n, points[q]), by_corners);
-        d.depth = (d.depth > 0.) ? std::max(d.depth, there) : there;
-      }
+      depths[q] = (depths[q] > 0.) ?
+                    std::max(depths[q], at_point(q, by_corners)) :
+                    at_point(q, by_corners);
+    VertexValues<dim> levels = extrapolate_to_vertices<dim>(n, depths);
+    for (unsigned int a = 0; a < n; ++a)
+      levels[a] = std::min(levels[a], at_deepest);
+    for (unsigned int q = 0; q < n; ++q)
+      result.at_points[q]->depth = at_point(q, levels);
     return result;
   }
 
@@ -648,8 +657,10 @@ namespace MortarContact
             treatment.deepest :
             treatment.largest_share * deepest->stiffness.length;
         // Contact of a facet that is open elsewhere is not given up for its
-        // corners.
-        if (deepest->depth > limit && !depths.of_corners_only)
+        // corners, where a treatment takes the force off them.
+        if (deepest->depth > limit &&
+            !(depths.of_corners_only && treatment.store &&
+              treatment.deepest == 0.))
           {
             ++findings.n_too_deep;
             if (deepest->depth > findings.too_deep)
