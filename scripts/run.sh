@@ -15,7 +15,9 @@ if [ ! -r "$file" ]; then
   echo "ERROR: the parameter file '$file' cannot be read." >&2
   exit 1
 fi
-driver=$(sed -n 's/^[[:space:]]*set[[:space:]]\+Driver[[:space:]]*=[[:space:]]*\([a-z_]*\).*/\1/p' "$file" | head -1)
+# in a .prm or a .json file
+driver=$(sed -n -e 's/^[[:space:]]*set[[:space:]]\+Driver[[:space:]]*=[[:space:]]*\([a-z_]*\).*/\1/p' \
+  -e 's/.*"Driver"[[:space:]]*:[[:space:]]*"\([a-z_]*\)".*/\1/p' "$file" | head -1)
 if [ -z "$driver" ] || [ ! -f "$root/applications/$driver.cc" ]; then
   known=$(cd "$root/applications" && ls ./*.cc | sed 's/^\.\///; s/\.cc$//' | tr '\n' ' ')
   echo "ERROR: '$file' says 'set Driver = $driver'; expected one of: $known" >&2
@@ -43,7 +45,8 @@ if [ "$status" = 0 ]; then
     *" --check "* | *" --print-parameters "* | *" --help "* | *" --version "*) exit 0 ;;
   esac
   install_missing $picture_packages
-  folder=$(sed -n 's/^[[:space:]]*set[[:space:]]\+Directory[[:space:]]*=[[:space:]]*//p' "$file" |
+  folder=$(sed -n -e 's/^[[:space:]]*set[[:space:]]\+Directory[[:space:]]*=[[:space:]]*//p' \
+    -e 's/.*"Directory"[[:space:]]*:[[:space:]]*"\([^"]*\)".*/\1/p' "$file" |
     sed 's/[[:space:]]*\(#.*\)\{0,1\}$//' | tail -1)
   previous=
   for word in "$@"; do

@@ -5,6 +5,8 @@
 #include "map_manifold.h"
 #include "structured_mesh.h"
 
+#include <mortar_contact/host/cell_volume.h>
+
 #include <deal.II/base/function_parser.h>
 
 #include <deal.II/grid/grid_generator.h>
@@ -22,6 +24,7 @@
 #include <map>
 #include <memory>
 #include <random>
+#include <sstream>
 
 namespace Structure
 {
@@ -149,6 +152,70 @@ namespace Structure
       mesh.set_all_manifold_ids(1);
     }
 
+    /// A gmsh file that lacks the end of a section, or lines of one, would keep
+    /// deal.II's reader waiting for ever.
+    void
+    check_gmsh(const std::string &file)
+    {
+      std::ifstream in(file);
+      std::string   line, section;
+      unsigned long number = 0, first = 0, announced = 0;
+      bool          is_old = true; // format 2: an entry is a line
+      const auto    fail   = [&](const std::string &what) {
+        AssertThrow(false,
+                    ExcMessage("'Mesh/File' is '" + file + "': " + what + "."));
+      };
+      while (std::getline(in, line))
+        {
+          ++number;
+          line = Utilities::trim(line);
+          if (section.empty())
+            {
+              if (!line.empty() && line[0] == '$')
+                {
+                  section = line.substr(1);
+                  first   = number;
+                }
+            }
+          else if (line == "$End" + section)
+            {
+              if (is_old && (section == "Nodes" || section == "Elements") &&
+                  number - first - 2 != announced)
+                fail("'$" + section + "' in line " + std::to_string(first) +
+                     " announces " + std::to_string(announced) +
+                     " entries; there are " +
+                     std::to_string(number - first - 2));
+              section.clear();
+            }
+          else if (is_old && section == "Elements" && number > first + 1)
+            {
+              // number, type, number of tags, tags, nodes
+              std::istringstream words(line);
+              long entry = 0, type = 0, n_tags = -1, word = 0, n_words = 0;
+              words >> entry >> type >> n_tags;
+              while (words >> word)
+                ++n_words;
+              if (n_tags < 0 || n_tags >= n_words)
+                fail("line " + std::to_string(number) + " is '" + line +
+                     "'; expected number, type, number of tags, tags and "
+                     "nodes of an element");
+            }
+          else if (number == first + 1)
+            {
+              std::istringstream words(line);
+              double             version = 0.;
+              if (section == "MeshFormat" && words >> version)
+                is_old = version < 4.;
+              else if (!(words >> announced) && section != "MeshFormat")
+                fail("line " + std::to_string(number) + " is '" + line +
+                     "'; expected the number of entries of '$" + section + "'");
+            }
+        }
+      if (!section.empty())
+        fail("'$" + section + "' in line " + std::to_string(first) +
+             " has no '$End" + section + "'");
+    }
+
     template <int dim, int spacedim>
     void
     read_file(const MeshParameters &m, Triangulation<dim, spacedim> &mesh)
@@ -158,6 +225,8 @@ namespace Structure
                   ExcMessage("'Mesh/File' is '" + m.file +
                              "'; this file cannot be opened."));
       const std::string ending = m.file.substr(m.file.find_last_of('.') + 1);
+      if (ending == "msh")
+        check_gmsh(m.file);
       GridIn<dim, spacedim> reader;
       reader.attach_triangulation(mesh);
       try
@@ -247,7 +316,7 @@ namespace Structure
       GridTools::transform(whole, mesh);
       // triangulations do not look at the sign themselves
       for (const auto &cell : mesh.active_cell_iterators())
-        AssertThrow(cell->measure() > 0.,
+        AssertThrow(MortarContact::cell_volume(cell) > 0.,
                     ExcMessage("'Mesh/Map' turns a cell inside out."));
       MapManifold<dim> manifold(whole);
       for (const auto &cell : mesh.active_cell_iterators())

@@ -13,6 +13,10 @@ namespace Structure
     /// A penalty's share that deserves a word, and the one that is proposed.
     constexpr double large_share = 0.05, good_share = 0.02;
 
+    /// The rule's share of the forces on facets that deserves one. Forces on
+    /// single facets differ more than their sums do.
+    constexpr double large_integration_error = 0.1;
+
     /// Rejected tries per step, Newton iterations per step, the contact's share
     /// of the time and a time [s] from which on they deserve one.
     constexpr double many_cut_backs = 0.5, many_iterations = 10.,
@@ -79,6 +83,27 @@ namespace Structure
                      ", 'Law = linear' needs less; 'Augmentation = Uzawa' "
                      "iterates to a 'Penetration tolerance'."));
       }
+    for (const RunFigures::Interface &i : run.interfaces)
+      if (i.integration_error > large_integration_error)
+        {
+          using Rule      = MortarContact::Integration::Rule;
+          const Rule rule = i.parameters->integration.rule;
+          sentences.push_back(
+            "ACCURACY: a finer rule of integration would change the forces on "
+            "the facets of '" +
+            i.name + "' by " + percent(i.integration_error) + "; " +
+            (rule == Rule::segments ? "finer facets help, or 'Degree = 6'." :
+             rule == Rule::points   ? "more 'Points per direction' help, or "
+                                      "'Integration = segments' between meshes." :
+                                      "'Integration = segments' has no such "
+                                      "error."));
+        }
+    if (run.energy_growth > large_energy_growth)
+      sentences.push_back("ACCURACY: energy grew by " +
+                          percent(run.energy_growth) +
+                          " of its largest value out of nothing; a smaller "
+                          "'Steps/Largest step', at most a twentieth of the "
+                          "time that an impact takes, avoids it.");
     const double steps = std::max(run.steps, 1u);
     if (run.cut_backs > many_cut_backs * steps)
       sentences.push_back("SPEED: " + std::to_string(run.cut_backs) +

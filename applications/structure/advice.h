@@ -9,6 +9,9 @@
 
 namespace Structure
 {
+  /// Energy from nowhere, over the largest energy, that deserves a word.
+  constexpr double large_energy_growth = 0.05;
+
   /// What a run knows about itself at its end.
   struct RunFigures
   {
@@ -17,6 +20,8 @@ namespace Structure
       std::string                             name;
       const MortarContact::ContactParameters *parameters;
       double                                  energy; ///< Of its springs [J].
+      /// See ContactInterface::integration_error().
+      double integration_error;
     };
 
     std::vector<Interface> interfaces;
@@ -26,6 +31,7 @@ namespace Structure
     unsigned int           cut_backs       = 0;
     bool                   predicts        = false;
     bool                   is_static       = true;
+    double                 energy_growth   = 0.; ///< See Simulation.
     double                 contact_seconds = 0.; ///< Search and evaluation.
     double                 all_seconds     = 0.;
   };

@@ -33,10 +33,11 @@ namespace Structure
     {
       body_force, ///< Dead, per undeformed volume.
       traction,   ///< Dead, per undeformed area (shells' edges: length).
-      pressure    ///< Follows the normal, positive pushes.
+      pressure,   ///< Follows the normal, positive pushes.
+      moment      ///< About fixed axes, per undeformed length of shells' edges.
     };
     Type                         type;
-    std::set<types::boundary_id> boundaries; ///< For the last two,
+    std::set<types::boundary_id> boundaries; ///< Not for body forces,
     bool                         on_surface =
       false; ///< or the surface of a shell; pressure on its top.
     std::vector<Expression<dim>> formulas;

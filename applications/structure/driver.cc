@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "driver.h"
 
+#include "accuracy.h"
+#include "features.h"
 #include "simulation.h"
 #include "stop_signal.h"
 
@@ -77,6 +79,7 @@ namespace Structure
       if (check_only)
         {
           simulation.report_setup();
+          log.line(text_of(features(scene)));
           log.line("The scene is complete; not solved (--check).");
           return finished;
         }
@@ -96,6 +99,7 @@ namespace Structure
   {
     const auto declare_all = [name, declare](ParameterHandler &prm) {
       prm.declare_entry("Driver", name, Patterns::Anything(), "");
+      declare_accuracy(prm);
       declare(prm);
     };
     Driver driver;
@@ -103,19 +107,21 @@ namespace Structure
     driver.description = description;
     driver.read        = [declare_all, read](const SceneSource &source,
                                       std::string       &used) {
+      std::string accuracy;
       {
         // a file of another driver, before its entries are found unknown
         ParameterHandler prm;
         prm.declare_entry("Driver", "", Patterns::Anything());
+        declare_accuracy(prm);
         parse(prm, source, true);
+        accuracy = prm.get("Accuracy");
       }
       ParameterHandler prm;
       declare_all(prm);
+      set_accuracy(prm, accuracy, {{"Contact"}});
       parse(prm, source, false);
-      const Scene        scene = read(prm);
-      std::ostringstream out;
-      prm.print_parameters(out, ParameterHandler::ShortText);
-      used = out.str();
+      const Scene scene = read(prm);
+      used              = used_entries(prm, source);
       return scene;
     };
     driver.defaults = [declare_all]() {
@@ -143,7 +149,7 @@ namespace Structure
     std::string output, restart;
     bool        print = false, check = false, quiet = false;
     source.driver = driver.name;
-    app.add_option("FILE", source.file, "Parameter file (.prm)");
+    app.add_option("FILE", source.file, "Parameter file (.prm, or .json)");
     app
       .add_option("--set",
                   source.settings,
@@ -153,7 +159,10 @@ namespace Structure
       ->take_all();
     app.add_option("--output", output, "Folder for the results");
     app.add_option("--restart", restart, "Continue the run in this folder");
-    app.add_flag("--print-parameters", print, "Print the annotated defaults");
+    app.add_flag("--print-parameters",
+                 print,
+                 "Print the annotated defaults; "
+                 "with FILE what it changes of them");
     app.add_flag("--check", check, "Read, build and report, do not solve");
     app.add_flag("--quiet", quiet, "Nothing on the terminal but errors");
     app.set_version_flag("--version", "MortarContact 0.1.0");
@@ -188,12 +197,13 @@ namespace Structure
           app.exit(e);
         return asked ? finished : wrong_input;
       }
-    if (print)
+    if (print && source.file.empty())
       {
         if (is_root)
           std::cout << driver.defaults();
         return finished;
       }
+    source.only_changed = print;
 
     // Everything up to the first step that fails is the input's fault.
     ExitCode stage = wrong_input;
@@ -206,7 +216,13 @@ namespace Structure
           source.settings.push_back("Output/Directory=" + output);
         std::string used;
         const Scene scene = driver.read(source, used);
-        Log         log(MPI_COMM_WORLD, quiet);
+        if (print)
+          {
+            if (is_root)
+              std::cout << used;
+            return finished;
+          }
+        Log log(MPI_COMM_WORLD, quiet);
         log.line(driver.name + " " + source.file);
 
         const ExitCode code =

@@ -24,7 +24,8 @@ namespace Structure
       displacement, ///< Components given as formulas, others free.
       symmetry,     ///< No displacement along the normal.
       traction,     ///< Dead load per undeformed area.
-      pressure      ///< Follows the normal, positive pushes.
+      pressure,     ///< Follows the normal, positive pushes.
+      moment        ///< Of a shell's edges, per undeformed length.
     };
 
     std::string                  name;

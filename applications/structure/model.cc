@@ -210,8 +210,10 @@ namespace Structure
       }
     for (const BoundaryCondition &c : conditions)
       {
-        const bool is_pressure = c.type == BoundaryCondition::Type::pressure;
-        if (!is_pressure && c.type != BoundaryCondition::Type::traction)
+        using ConditionType    = BoundaryCondition::Type;
+        const bool is_pressure = c.type == ConditionType::pressure;
+        const bool is_moment   = c.type == ConditionType::moment;
+        if (!is_pressure && !is_moment && c.type != ConditionType::traction)
           continue;
         std::vector<Expression<dim>> formulas;
         std::array<int, dim>         of_component;
@@ -232,10 +234,12 @@ namespace Structure
               {node.dofs, node.x, std::move(formulas), of_component});
             continue;
           }
-        if (is_pressure && !of.is_linear())
+        if ((is_pressure && !of.is_linear()) || is_moment)
           is_symmetric = false;
         Load<dim> load;
-        load.type         = is_pressure ? Type::pressure : Type::traction;
+        load.type         = is_pressure ? Type::pressure :
+                            is_moment   ? Type::moment :
+                                          Type::traction;
         load.boundaries   = c.boundaries;
         load.on_surface   = c.on_surface;
         load.formulas     = std::move(formulas);
@@ -884,6 +888,23 @@ namespace Structure
           internal(dof) - external(dof) - contact(dof) + inertia(dof);
     Utilities::MPI::sum(sum, communicator, sum);
     return Tensor<1, 3>({sum[0], sum[1], sum[2]});
+  }
+
+
+  template <int dim>
+  Vector_t
+  Model<dim>::outer_forces() const
+  {
+    Vector_t forces = external;
+    for (unsigned int c = 0; c < conditions.size(); ++c)
+      for (const auto &entry : node_conditions->dofs_of(c))
+        if (owned.is_element(entry.first))
+          {
+            const auto i = entry.first;
+            forces(i)    = internal(i) - contact(i) + inertia(i);
+          }
+    forces.compress(VectorOperation::insert);
+    return forces;
   }
 
 

@@ -146,6 +146,10 @@ namespace Structure
     Tensor<1, 3>
     reaction(const unsigned int c) const;
 
+    /// Loads and reactions of the last assembly: what does work from outside.
+    Vector_t
+    outer_forces() const;
+
     /// Rigid body motions on the owned dofs: [mode][owned dof].
     std::vector<std::vector<double>>
     rigid_body_modes() const;

@@ -54,6 +54,10 @@ namespace Structure
     /// share in each.
     constexpr double nearly_there = 0.1;
 
+    /// An update this many times the size of the scene comes of a tangent that
+    /// is singular but for round-off.
+    constexpr double no_update = 1e6;
+
     /// Iterations after which updates of shells are shortened, too, where a
     /// first try (with extrapolated stresses) has failed: contact of edges may
     /// come and go for ever.
@@ -202,6 +206,12 @@ namespace Structure
             return result;
           }
         model.constraints.distribute(du);
+        if (du.linfty_norm() > no_update * model.size)
+          {
+            result.failure = "the tangent matrix is nearly singular (a body "
+                             "that nothing holds?)";
+            return result;
+          }
         iterate.step = 1.;
         for (const auto &interface : model.interfaces)
           iterate.step =

@@ -5,16 +5,38 @@
 
 #include <deal.II/numerics/data_out.h>
 
+#include <unistd.h>
+
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <sstream>
 
 namespace Structure
 {
+  namespace
+  {
+    /// Yellow for what needs attention, cyan for advice, as terminals are told.
+    const char *
+    colour_of(const std::string &text)
+    {
+      for (const char *word : {"WARNING", "rejected", "No convergence"})
+        if (text.find(word) != std::string::npos)
+          return "\033[33m";
+      for (const char *word : {"ACCURACY:", "SPEED:", "NOTE:"})
+        if (text.find(word) != std::string::npos)
+          return "\033[36m";
+      return "";
+    }
+  } // namespace
+
+
   Log::Log(const MPI_Comm communicator, const bool quiet)
     : is_root(Utilities::MPI::this_mpi_process(communicator) == 0)
     , quiet(quiet)
+    , has_colour(isatty(STDOUT_FILENO) == 1 &&
+                 std::getenv("NO_COLOR") == nullptr)
   {}
 
 
@@ -32,7 +54,10 @@ namespace Structure
     if (!is_root)
       return;
     if (!quiet)
-      std::cout << text << std::endl;
+      {
+        const char *colour = has_colour ? colour_of(text) : "";
+        std::cout << colour << text << (*colour ? "\033[0m" : "") << std::endl;
+      }
     if (file)
       file << text << std::endl;
   }

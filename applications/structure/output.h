@@ -28,6 +28,7 @@ namespace Structure
 
   private:
     const bool    quiet;
+    const bool    has_colour; ///< The terminal takes them.
     std::ofstream file;
   };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "scene.h"
 
+#include "accuracy.h"
 #include "numbers_of.h"
 #include "suggestion.h"
 
@@ -82,6 +83,7 @@ namespace Structure
                         "contact_scene",
                         Patterns::Anything(),
                         "The program that this file belongs to.");
+      declare_accuracy(prm);
       prm.declare_entry("Dimension",
                         "3",
                         Patterns::Integer(2, 3),
@@ -247,17 +249,18 @@ namespace Structure
       prm.declare_entry(
         "Type",
         "displacement",
-        Patterns::Selection("displacement|symmetry|traction|pressure"),
+        Patterns::Selection("displacement|symmetry|traction|pressure|moment"),
         "displacement: x, y, z as formulas or free. symmetry: none along the "
         "normal. traction: force per undeformed area. pressure: pushes along "
-        "the deformed normal.");
+        "the deformed normal. moment: about the axes x, y, z, on the edges of "
+        "a shell, per undeformed length.");
       for (const char *component : {"x", "y", "z"})
         prm.declare_entry(
           component,
           "free",
           Patterns::Anything(),
           "Component as a formula in x, y, z, t and pi, or free "
-          "[length or pressure].");
+          "[length, pressure or, of moments, force].");
       prm.declare_entry("Point",
                         "",
                         Patterns::List(Patterns::Double(), 0, 3),
@@ -301,6 +304,7 @@ namespace Structure
       c.type                 = (type == "displacement") ? Type::displacement :
                                (type == "symmetry")     ? Type::symmetry :
                                (type == "traction")     ? Type::traction :
+                               (type == "moment")       ? Type::moment :
                                                           Type::pressure;
       c.values               = {{prm.get("x"), prm.get("y"), prm.get("z")}};
       c.point                = numbers_of(prm.get("Point"));
@@ -553,6 +557,74 @@ namespace Structure
   }
 
 
+  std::string
+  used_entries(const ParameterHandler &prm, const SceneSource &source)
+  {
+    std::ostringstream out;
+    prm.print_parameters(out,
+                         source.only_changed ? ParameterHandler::PRM :
+                                               ParameterHandler::ShortPRM);
+    if (!source.only_changed)
+      return out.str();
+    // the annotated form says where a value is not the default
+    const std::string        mark = "# default:";
+    std::istringstream       in(out.str());
+    std::string              line;
+    std::vector<std::string> kept;
+    while (std::getline(in, line))
+      {
+        const std::string text = Utilities::trim(line);
+        if (text.rfind("subsection ", 0) == 0)
+          kept.push_back(line);
+        else if (text.rfind("set ", 0) == 0 &&
+                 line.find(mark) != std::string::npos)
+          kept.push_back(line.substr(0, line.find(mark)));
+        else if (text == "end")
+          {
+            // a section without entries is none
+            if (Utilities::trim(kept.back()).rfind("subsection ", 0) == 0)
+              kept.pop_back();
+            else
+              kept.push_back(line);
+          }
+      }
+    std::string result;
+    for (const std::string &k : kept)
+      result += k.substr(0, k.find_last_not_of(' ') + 1) + "\n";
+    return result;
+  }
+
+
+  namespace
+  {
+    /// A file in JSON: sections are objects, values strings, numbers or
+    /// booleans.
+    void
+    parse_json(ParameterHandler  &prm,
+               std::istream      &in,
+               const std::string &file,
+               const bool         skip_undefined)
+    {
+      std::string error;
+      try
+        {
+          prm.parse_input_from_json(in, skip_undefined);
+        }
+      catch (const ExceptionBase &)
+        {
+          throw;
+        }
+      catch (const std::exception &e) // boost's, of the syntax
+        {
+          error = e.what();
+        }
+      AssertThrow(error.empty(),
+                  ExcMessage("The parameter file '" + file +
+                             "' is no JSON: " + error));
+    }
+  } // namespace
+
+
   void
   parse(ParameterHandler  &prm,
         const SceneSource &source,
@@ -562,10 +634,10 @@ namespace Structure
     AssertThrow(in,
                 ExcMessage("The parameter file '" + source.file +
                            "' cannot be opened."));
-    const auto read = [&](std::istream &text, const std::string &name) {
+    const auto read = [&](const std::function<void()> &parse_it) {
       try
         {
-          prm.parse_input(text, name, "", skip_undefined);
+          parse_it();
         }
       catch (const ExceptionBase &e)
         {
@@ -575,7 +647,17 @@ namespace Structure
           AssertThrow(false, ExcMessage(error + did_you_mean(prm, error)));
         }
     };
-    read(in, source.file);
+    const auto read_text = [&](std::istream &text, const std::string &name) {
+      read([&]() { prm.parse_input(text, name, "", skip_undefined); });
+    };
+    const std::string json = ".json";
+    const bool        is_json =
+      source.file.size() > json.size() &&
+      source.file.substr(source.file.size() - json.size()) == json;
+    if (is_json)
+      read([&]() { parse_json(prm, in, source.file, skip_undefined); });
+    else
+      read_text(in, source.file);
     for (const std::string &setting : source.settings)
       {
         const std::size_t equals = setting.find('=');
@@ -593,7 +675,7 @@ namespace Structure
         text +=
           "set " + path.back() + " = " + setting.substr(equals + 1) + "\n";
         std::istringstream line(text + ends);
-        read(line, "--set \"" + setting + "\"");
+        read_text(line, "--set \"" + setting + "\"");
       }
     if (skip_undefined)
       AssertThrow(prm.get("Driver") == source.driver,
@@ -606,16 +688,22 @@ namespace Structure
   Scene
   read_scene(const SceneSource &source, std::string &used)
   {
-    Names names;
+    Names       names;
+    std::string accuracy;
     {
       ParameterHandler prm;
       declare_names(prm);
       parse(prm, source, true);
-      names = read_names(prm);
+      names    = read_names(prm);
+      accuracy = prm.get("Accuracy");
     }
 
     ParameterHandler prm;
     declare_everything(prm, names);
+    std::vector<std::vector<std::string>> interfaces;
+    for (const auto &name : names.interfaces)
+      interfaces.push_back({"Contact", name});
+    set_accuracy(prm, accuracy, interfaces);
     parse(prm, source, false);
 
     Scene scene;
@@ -671,9 +759,7 @@ namespace Structure
           body.file = source.file.substr(0, slash + 1) + body.file;
 
     check_scene(scene);
-    std::ostringstream out;
-    prm.print_parameters(out, ParameterHandler::ShortText);
-    used = out.str();
+    used = used_entries(prm, source);
     return scene;
   }
 
@@ -815,6 +901,9 @@ namespace Structure
                                    "' sets 'On surface', 'Directors' or 'Plane "
                                    "normal', but '" +
                                    b.name + "' is a solid; expected a shell."));
+            AssertThrow(b.is_shell || c.type != BoundaryCondition::Type::moment,
+                        ExcMessage(where + "Type' is 'moment', but '" + b.name +
+                                   "' is a solid; expected a shell."));
             AssertThrow(!b.is_shell ||
                           c.type != BoundaryCondition::Type::symmetry ||
                           c.plane_normal.norm() > 0.,
@@ -850,6 +939,32 @@ namespace Structure
     declare_everything(
       prm, {{"body"}, {"condition"}, {"interface"}, {"probe"}, {"rigid body"}});
     prm.set("Driver", driver);
+    // a scene that runs: a block is pressed on a plane
+    using Path     = std::vector<std::string>;
+    const auto set = [&](const Path        &path,
+                         const std::string &entry,
+                         const std::string &value) {
+      for (const std::string &section : path)
+        prm.enter_subsection(section);
+      prm.set(entry, value);
+      for (std::size_t i = 0; i < path.size(); ++i)
+        prm.leave_subsection();
+    };
+    set({"Bodies"}, "Names", "body");
+    set({"Bodies", "body", "Material"}, "Young's modulus", "1000");
+    set({"Rigid bodies"}, "Names", "rigid body");
+    set({"Boundary conditions"}, "Names", "condition");
+    const Path condition{"Boundary conditions", "condition"};
+    set(condition, "Body", "body");
+    set(condition, "Boundary ids", "5");
+    set(condition, "x", "0");
+    set(condition, "y", "0");
+    set(condition, "z", "-0.01*t");
+    set({"Contact"}, "Interfaces", "interface");
+    set({"Contact", "interface"}, "Secondary", "body: boundary 4");
+    set({"Contact", "interface"}, "Primary", "rigid body");
+    set({"Probes"}, "Names", "probe");
+    set({"Probes", "probe"}, "Body", "body");
     std::ostringstream out;
     prm.print_parameters(out, ParameterHandler::PRM);
     return out.str();

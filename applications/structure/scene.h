@@ -102,6 +102,8 @@ namespace Structure
     std::string              file;
     std::vector<std::string> settings; ///< "Section/Sub section/Entry=value"
     std::string              driver;   ///< Must be the file's 'Driver'.
+    /// Of the entries as used, those only that differ from their defaults.
+    bool only_changed = false;
   };
 
   /**
@@ -127,6 +129,10 @@ namespace Structure
   /// Check names that refer to each other, and make file names absolute.
   void
   check_scene(Scene &scene);
+
+  /// What was parsed from @p source, in the form of a parameter file.
+  std::string
+  used_entries(const ParameterHandler &prm, const SceneSource &source);
 
   /// Parse the text of @p source into @p prm: the file, then the settings.
   /// @param skip_undefined First pass: leave undeclared entries alone.

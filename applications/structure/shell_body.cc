@@ -265,7 +265,11 @@ namespace Structure
                 const Point<3> x =
                   c->vertex(ends[0]) +
                   N[ends[1]] * (c->vertex(ends[1]) - c->vertex(ends[0]));
-                dead(x, gauss.weight(q) * c->face(f)->measure(), N);
+                const double w = gauss.weight(q) * c->face(f)->measure();
+                if (load.type == Type::moment)
+                  add_moment(c, x, w, N, load, u, time, forces, tangent);
+                else
+                  dead(x, w, N);
               }
           }
         return;
@@ -321,6 +325,46 @@ namespace Structure
                 for (unsigned int i = 0; i < 3; ++i)
                   tangent(6 * a + i, 6 * b + k) += p * dm[i] * N[a];
             }
+      }
+  }
+
+
+  void
+  ShellBody::add_moment(const Cell                &cell,
+                        const Point<3>            &x,
+                        const double               weight,
+                        const std::vector<double> &N,
+                        Load<3>                   &load,
+                        const Vector<double>      &u,
+                        const double               time,
+                        Vector<double>            &forces,
+                        FullMatrix<double>        &tangent) const
+  {
+    Tensor<1, 3> m, d;
+    for (unsigned int i = 0; i < 3; ++i)
+      if (load.of_component[i] >= 0)
+        m[i] =
+          weight * load.formulas[load.of_component[i]].value(x, time) / scale;
+    for (unsigned int a = 0; a < N.size(); ++a)
+      d += N[a] *
+           (directors[cell->vertex_index(a)] +
+            Tensor<1, 3>({u(6 * a + 3), u(6 * a + 4), u(6 * a + 5)}) / scale);
+    const Tensor<1, 3> force = cross_product_3d(m, d) / d.norm_square();
+    for (unsigned int a = 0; a < N.size(); ++a)
+      for (unsigned int i = 0; i < 3; ++i)
+        forces(6 * a + 3 + i) += N[a] * force[i];
+    if (tangent.empty())
+      return;
+    for (unsigned int k = 0; k < 3; ++k)
+      {
+        Tensor<1, 3> e;
+        e[k] = 1. / scale;
+        const Tensor<1, 3> change =
+          (cross_product_3d(m, e) - 2. * (d * e) * force) / d.norm_square();
+        for (unsigned int a = 0; a < N.size(); ++a)
+          for (unsigned int b = 0; b < N.size(); ++b)
+            for (unsigned int i = 0; i < 3; ++i)
+              tangent(6 * a + 3 + i, 6 * b + 3 + k) -= N[a] * N[b] * change[i];
       }
   }
 

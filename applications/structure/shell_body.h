@@ -30,7 +30,7 @@ namespace Structure
   /**
    * A shell: a mesh of quadrilaterals and triangles in space with the elements
    * of ShellElement. Boundary ids are those of edges. Loads: traction on edges
-   * (force per undeformed length) or on the surface (per undeformed area);
+   * (force per undeformed length; moments too) or on the surface (per undeformed area);
    * pressure on the surface, positive pushes on the top.
    */
   class ShellBody : public MeshBody<2, 3>
@@ -123,6 +123,23 @@ namespace Structure
     /// Node of a cell.
     BoundaryNode<3>
     node_of(const Cell &cell, const unsigned int vertex) const;
+
+    /**
+     * A moment m at a point with weights N of a cell's vertices. While the
+     * director d turns with the speed d', the material turns with d x d'/d.d
+     * about the axes normal to d, so m does the work of a force m x d/d.d on d:
+     * what turns about d itself is not felt.
+     */
+    void
+    add_moment(const Cell                &cell,
+               const Point<3>            &x,
+               const double               weight,
+               const std::vector<double> &N,
+               Load<3>                   &load,
+               const Vector<double>      &u,
+               const double               time,
+               Vector<double>            &forces,
+               FullMatrix<double>        &tangent) const;
 
     /// Material and thickness of a cell.
     ShellSection

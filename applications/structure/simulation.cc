@@ -527,6 +527,14 @@ namespace Structure
         report_setup();
         output.fields(model, u, time, step);
       }
+    const std::array<std::string, 3> at_rest = {{"0", "0", "0"}};
+    audit.is_possible =
+      model.is_dynamic() && !model.fluid && !scene.refinement.is_on() &&
+      std::all_of(scene.rigid_bodies.begin(),
+                  scene.rigid_bodies.end(),
+                  [&](const RigidParameters &r) {
+                    return r.translation == at_rest && r.rotation_angle == "0";
+                  });
     wall.restart();
     const double first_time = time;
     // times closer than this are the same
@@ -742,8 +750,11 @@ namespace Structure
       }
     if (model.is_dynamic())
       {
-        row.emplace_back("kinetic_energy", model.kinetic_energy());
-        row.emplace_back("strain_energy", model.strain_energy(u));
+        const double kinetic = model.kinetic_energy();
+        const double strain  = model.strain_energy(u);
+        audit_energy(kinetic + strain);
+        row.emplace_back("kinetic_energy", kinetic);
+        row.emplace_back("strain_energy", strain);
         const Tensor<1, 3> momentum = model.momentum();
         for (unsigned int i = 0; i < dim; ++i)
           row.emplace_back(std::string("momentum_") + "xyz"[i], momentum[i]);
@@ -784,6 +795,41 @@ namespace Structure
 
   template <int dim>
   void
+  Simulation<dim>::audit_energy(const double energy_of_bodies)
+  {
+    if (!audit.is_possible)
+      return;
+    double energy = energy_of_bodies;
+    for (const auto &interface : model.interfaces)
+      energy += interface->report().energy;
+    Vector_t forces = model.outer_forces();
+    audit.largest   = std::max(audit.largest, energy);
+    if (audit.has_begun)
+      {
+        Vector_t mean = forces, motion = u;
+        mean.sadd(0.5, 0.5, audit.forces);
+        motion -= audit.u;
+        audit.work += mean * motion;
+        const double before = audit.growth;
+        audit.growth =
+          std::max(audit.growth,
+                   (energy - audit.start - audit.work) /
+                     std::max({audit.largest, std::abs(audit.work), 1e-300}));
+        if (before <= large_energy_growth && audit.growth > large_energy_growth)
+          log.line("  WARNING: there is " + number(100. * audit.growth, 2) +
+                   " % more energy than what was put in; steps are too long "
+                   "for what happens in them");
+      }
+    else
+      audit.start = energy;
+    audit.has_begun = true;
+    audit.forces    = forces;
+    audit.u         = u;
+  }
+
+
+  template <int dim>
+  void
   Simulation<dim>::write_summary(const std::string &status)
   {
     // wall times of all ranks, slowest, by name
@@ -802,13 +848,16 @@ namespace Structure
     run.cut_backs     = cut_backs;
     run.predicts      = scene.newton.predicts;
     run.is_static     = !model.is_dynamic();
+    run.energy_growth = audit.growth;
     if (const auto contact = times.find("contact: search and evaluation");
         contact != times.end())
       run.contact_seconds = contact->second;
     run.all_seconds = wall.wall_time();
     for (const auto &interface : model.interfaces)
-      run.interfaces.push_back(
-        {interface->name, &interface->parameters, interface->report().energy});
+      run.interfaces.push_back({interface->name,
+                                &interface->parameters,
+                                interface->report().energy,
+                                interface->integration_error()});
 
     nlohmann::json json;
     json["status"]            = status;
@@ -824,16 +873,20 @@ namespace Structure
     json["peak_memory_kB"]    = peak;
     json["wall_seconds"]      = wall.wall_time();
     json["strain_energy"]     = run.strain_energy;
-    json["parameters_hash"]   = std::hash<std::string>()(used_parameters);
+    if (audit.is_possible)
+      json["energy_growth"] = audit.growth;
+    json["parameters_hash"] = std::hash<std::string>()(used_parameters);
     for (const auto &[name, seconds] : times)
       json["seconds"][name] = seconds;
     for (unsigned int i = 0; i < model.interfaces.size(); ++i)
       {
-        const auto     &r  = model.interfaces[i]->report();
-        nlohmann::json &j  = json["interfaces"][model.interfaces[i]->name];
-        j["penalty_share"] = penalty_share(run, run.interfaces[i]);
-        j["force"]         = {r.force[0], r.force[1], r.force[2]};
-        j["moment"]        = {r.moment[0], r.moment[1], r.moment[2]};
+        const auto     &r      = model.interfaces[i]->report();
+        nlohmann::json &j      = json["interfaces"][model.interfaces[i]->name];
+        j["penalty_share"]     = penalty_share(run, run.interfaces[i]);
+        j["integration_error"] = run.interfaces[i].integration_error;
+        j["balance_error"]     = model.interfaces[i]->check_balance();
+        j["force"]             = {r.force[0], r.force[1], r.force[2]};
+        j["moment"]            = {r.moment[0], r.moment[1], r.moment[2]};
         j["largest_penetration"]         = r.largest_penetration;
         j["penetration_over_release"]    = r.relative_penetration;
         j["mean_penetration"]            = r.mean_penetration;

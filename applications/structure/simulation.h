@@ -145,6 +145,16 @@ namespace Structure
     void
     write_step(const double step_size, const bool is_last);
 
+    /**
+     * Dynamics: compare the energy at the end of a step with the work done from
+     * outside. Steps too long for an impact create energy; what damping, time
+     * integration, friction and plasticity take is not known here and only
+     * makes it less.
+     * @param energy Kinetic and strain energy of the bodies [J].
+     */
+    void
+    audit_energy(const double energy);
+
     void
     save_checkpoint();
 
@@ -163,8 +173,18 @@ namespace Structure
     double       next_step         = 0.; ///< Size of the next step.
     unsigned int cut_backs_of_step = 0;
     /// The step was solved on coarser meshes: rate leads to its end.
-    bool  goes_again = false;
-    Timer wall;
+    bool goes_again = false;
+    /// See audit_energy(); of this run, from its first step on.
+    struct EnergyAudit
+    {
+      bool     is_possible = false; ///< No tool is moved, no fluid pushes.
+      bool     has_begun   = false;
+      double   start = 0., work = 0.; ///< Energy then, work since [J].
+      double   largest = 0.;          ///< Energy so far [J].
+      double   growth  = 0.;          ///< Over it, largest so far [-].
+      Vector_t forces, u;             ///< At the end of the step before.
+    } audit;
+    Timer                                                       wall;
     std::vector<std::shared_ptr<MortarContact::RigidBody<dim>>> rigid_bodies;
     std::vector<std::array<types::global_dof_index, dim>>       probe_dofs;
   };

@@ -20,6 +20,9 @@ namespace MortarContact
     /// A corner is flat where its turn is below this times the facet's area.
     constexpr double flat_corner = 1e-12;
 
+    /// An edge is none where its squared length is below this times the area.
+    constexpr double no_edge = 1e-20;
+
     /// If two lines are the two edges of one facet that meet in a vertex, that
     /// vertex; @p found tells whether they are.
     FacetVertex
@@ -165,6 +168,16 @@ namespace MortarContact
         add_piece(3, {{0, 1, 2, 0}});
         return result;
       }
+
+    // a quadrilateral that has lost an edge is a triangle: an edge without a
+    // direction cuts nothing
+    for (unsigned int a = 0; a < 4; ++a)
+      if ((y[(a + 1) % 4] - y[a]).norm_square() <=
+          no_edge * std::abs(twice_area))
+        {
+          add_piece(3, {{a + 1, a + 2, a + 3, 0}});
+          return result;
+        }
 
     unsigned int n_reentrant = 0, reentrant = 0;
     for (unsigned int a = 0; a < 4; ++a)

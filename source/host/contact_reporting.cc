@@ -327,6 +327,41 @@ namespace MortarContact
   }
 
 
+  template <int dim>
+  double
+  ContactInterface<dim>::integration_error(const unsigned int most_facets) const
+  {
+    using Rule               = Integration::Rule;
+    const Integration &used  = parameters.integration;
+    Integration        other = used;
+    if (obstacle)
+      {
+        // no segments: twice as many points
+        other.rule = Rule::points;
+        other.points_per_direction =
+          (used.rule == Rule::nodes) ? 10 : 2 * used.points_per_direction;
+      }
+    else
+      {
+        constexpr unsigned int highest = 6;
+        other.degree = (used.rule == Rule::segments && used.degree == highest) ?
+                         highest - 1 :
+                         highest;
+        other.rule   = Rule::segments;
+      }
+    std::vector<double> sums(2, 0.);
+    for (const auto &sweep : sweeps)
+      {
+        const std::array<double, 2> of_sweep =
+          sweep->compare(other, most_facets);
+        sums[0] += of_sweep[0];
+        sums[1] += of_sweep[1];
+      }
+    Utilities::MPI::sum(sums, communicator, sums);
+    return (sums[1] > 0.) ? sums[0] / sums[1] : 0.;
+  }
+
+
   template void
   ContactInterface<2>::detect_initial_penetrations();
   template std::vector<char>
@@ -336,6 +371,8 @@ namespace MortarContact
   ContactInterface<2>::make_report();
   template StepAdvice
   ContactInterface<2>::advice() const;
+  template double
+  ContactInterface<2>::integration_error(const unsigned int) const;
   template void
   ContactInterface<3>::detect_initial_penetrations();
   template std::vector<char>
@@ -345,4 +382,6 @@ namespace MortarContact
   ContactInterface<3>::make_report();
   template StepAdvice
   ContactInterface<3>::advice() const;
+  template double
+  ContactInterface<3>::integration_error(const unsigned int) const;
 } // namespace MortarContact

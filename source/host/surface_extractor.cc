@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <mortar_contact/host/cell_volume.h>
 #include <mortar_contact/host/surface_extractor.h>
 
 #include <deal.II/base/mpi.h>
@@ -232,7 +233,7 @@ namespace MortarContact
           const bool is_simplex =
             cell->reference_cell().n_vertices() == dim + 1;
           const double length =
-            (is_simplex ? dim : 1.) * cell->measure() / face_area;
+            (is_simplex ? dim : 1.) * cell_volume(cell) / face_area;
           AssertThrow(length > 0.,
                       ExcMessage("Cell " + std::to_string(common.label.cell) +
                                  " of '" + part +

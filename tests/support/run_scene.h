@@ -12,12 +12,23 @@
 #include <cstdio>
 #include <fstream>
 #include <memory>
+#include <sstream>
 #include <string>
 
 namespace Test
 {
   using namespace dealii;
   using namespace Structure;
+
+  /// A number with all its digits.
+  inline std::string
+  num(const double x)
+  {
+    std::ostringstream out;
+    out.precision(17);
+    out << x;
+    return out.str();
+  }
 
   /// A subsection with entries "Name = value; Name = value"; '|' separates
   /// entries so that values may hold commas and semicolons.

@@ -3,73 +3,9 @@
 // Curved contact with closed-form references: BENCHMARKS.md A3a, A4, A5, A17
 // and SHELL_AND_FLUID.md section 7.
 
-#include "../support/run_scene.h"
+#include "../support/rings.h"
 
 using namespace Test;
-
-namespace
-{
-  /// Mean and cos 2 theta amplitude of the contact pressure on the secondary.
-  template <int dim>
-  std::array<double, 2>
-  fourier(const Simulation<dim> &s)
-  {
-    double p0 = 0., p2 = 0., total = 0.;
-    for (const auto &f :
-         MortarContact::facet_states(*s.model.interfaces[0], MPI_COMM_WORLD))
-      if (f.side == 0)
-        {
-          const double a = MortarContact::area(f.current);
-          for (unsigned int v = 0; v < f.current.n_vertices; ++v)
-            {
-              const double theta =
-                std::atan2(f.reference.x[v][1], f.reference.x[v][0]);
-              const double share = a / f.current.n_vertices;
-              total += share;
-              p0 += share * f.pressure[v];
-              p2 += share * f.pressure[v] * 2. * std::cos(2. * theta);
-            }
-        }
-    return {{p0 / total, p2 / total}};
-  }
-
-  /// Two quarter rings, symmetric, with the names inner and outer.
-  std::string
-  rings(const std::string &inner,
-        const std::string &inner_material,
-        const std::string &outer,
-        const std::string &outer_material,
-        const std::string &conditions,
-        const std::string &more = "")
-  {
-    return names("inner, outer",
-                 "symmetry i, symmetry o" + conditions,
-                 "fit",
-                 "in, out") +
-           body("inner",
-                "Type = revolution|Last angle = 90|" + inner,
-                inner_material,
-                more) +
-           body("outer",
-                "Type = revolution|Last angle = 90|" + outer,
-                outer_material,
-                more) +
-           condition("symmetry i",
-                     "Body = inner|Boundary ids = 0, 1|Type = symmetry") +
-           condition("symmetry o",
-                     "Body = outer|Boundary ids = 0, 1|Type = symmetry") +
-           interface(
-             "fit",
-             "Secondary = inner: boundary 3|Primary = outer: boundary 2|Law = linear");
-  }
-
-  std::string
-  linear_steel(const std::string &E, const std::string &nu)
-  {
-    return "Law = linear elastic|Young's modulus = " + E +
-           "|Poisson's ratio = " + nu;
-  }
-} // namespace
 
 
 TEST(Curved, RingsUnderCosinePressure)

@@ -216,20 +216,14 @@ TEST(Invariance, UnitsAndRotationDoNotMatter)
 {
   // the same scene in m, in mm and MPa, and turned by 30 degrees
   const auto scene = [](const double L, const double P, const double angle) {
-    const auto n = [](const double x) {
-      std::ostringstream out;
-      out.precision(17);
-      out << x;
-      return out.str();
-    };
     const auto corner = [&](const double x, const double y) {
-      return n(L * x) + "," + n(L * y);
+      return num(L * x) + "," + num(L * y);
     };
     const double      c = std::cos(angle), s = std::sin(angle);
     const std::string turn =
-      "|Rotation angle = " + n(angle * 180. / numbers::PI);
+      "|Rotation angle = " + num(angle * 180. / numbers::PI);
     const auto E = [&](const double e) {
-      return "Law = neo-Hookean|Young's modulus = " + n(P * e) +
+      return "Law = neo-Hookean|Young's modulus = " + num(P * e) +
              "|Poisson's ratio = 0.3";
     };
     // press by (0.02, -0.05) in the scene's own directions
@@ -245,13 +239,14 @@ TEST(Invariance, UnitsAndRotationDoNotMatter)
                 E(3e9)) +
            condition("base", "Body = block|Boundary ids = 2|x = 0|y = 0") +
            condition("top",
-                     "Body = punch|Boundary ids = 3|x = " + n(ux) +
-                       "*t|y = " + n(uy) + "*t") +
+                     "Body = punch|Boundary ids = 3|x = " + num(ux) +
+                       "*t|y = " + num(uy) + "*t") +
            interface(
              "i", "Secondary = block: boundary 3|Primary = punch: boundary 2") +
            probe("p",
                  "block",
-                 n(L * (c * 1. - s * 1.)) + "," + n(L * (s * 1. + c * 1.))) +
+                 num(L * (c * 1. - s * 1.)) + "," +
+                   num(L * (s * 1. + c * 1.))) +
            solver(1e-11, 0.5);
   };
   const auto metres = run<2>(scene(1., 1., 0.));

@@ -242,6 +242,15 @@ namespace MortarContact
     double
     check_balance() const;
 
+    /**
+     * What a better rule of integration would change of the contact forces at
+     * the last update(), over these forces: an estimate of the error of the
+     * rule that is used, from at most @p most_facets facets in contact of each
+     * rank. Ties are not looked at. Collective.
+     */
+    double
+    integration_error(const unsigned int most_facets = 500) const;
+
     /// As given; in reports, messages and files.
     const std::string name;
     /// As given.

@@ -7,6 +7,7 @@
 #include <mortar_contact/state/contact_history.h>
 #include <mortar_contact/state/surface_history.h>
 
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -135,6 +136,15 @@ namespace MortarContact
     /// other.
     void
     set_aside(const std::vector<char> &active_pairs);
+
+    /**
+     * What another rule of integration would change of the last evaluation: the
+     * sum over facets in contact, @p most_facets of them or all, of how much
+     * the normal forces on their vertices differ, and the sum of the forces
+     * with the other rule [N].
+     */
+    std::array<double, 2>
+    compare(const Integration &other, const unsigned int most_facets) const;
 
     /// Accept the present configuration: follow openings if @p track, drop the
     /// contact of the facets in @p released, re-admit released facets that have

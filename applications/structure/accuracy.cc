@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "accuracy.h"
+
+#include <deal.II/base/patterns.h>
+
+#include <utility>
+
+namespace Structure
+{
+  namespace
+  {
+    using Entries = std::vector<std::pair<std::string, std::string>>;
+
+    const Entries fast_contact  = {{"Integration", "points"},
+                                   {"Points per direction", "3"}},
+                  fast_newton   = {{"Force tolerance", "1e-5"},
+                                   {"Displacement tolerance", "1e-3"}},
+                  fast_linear   = {{"Tolerance", "1e-6"}},
+                  exact_contact = {{"Degree", "6"}, {"Stiffness scale", "20"}},
+                  exact_newton  = {{"Force tolerance", "1e-10"},
+                                   {"Displacement tolerance", "1e-8"}},
+                  exact_linear  = {{"Mixed tolerance", "1e-3"}};
+
+    void
+    set(ParameterHandler               &prm,
+        const std::vector<std::string> &path,
+        const Entries                  &entries)
+    {
+      for (const std::string &section : path)
+        prm.enter_subsection(section);
+      for (const auto &[entry, value] : entries)
+        prm.set(entry, value);
+      for (std::size_t i = 0; i < path.size(); ++i)
+        prm.leave_subsection();
+    }
+  } // namespace
+
+
+  void
+  declare_accuracy(ParameterHandler &prm)
+  {
+    prm.declare_entry(
+      "Accuracy",
+      "balanced",
+      Patterns::Selection("fast|balanced|exact"),
+      "Sets several entries at once; those that the file gives win. fast: "
+      "'Integration = points' and rough tolerances. balanced: the defaults of "
+      "each entry. exact: a stiffer penalty, rules of degree 6, tight "
+      "tolerances. What each costs: doc/trade.md.");
+  }
+
+
+  void
+  set_accuracy(ParameterHandler                            &prm,
+               const std::string                           &accuracy,
+               const std::vector<std::vector<std::string>> &interfaces)
+  {
+    if (accuracy == "balanced")
+      return;
+    const bool is_fast = accuracy == "fast";
+    for (const auto &path : interfaces)
+      set(prm, path, is_fast ? fast_contact : exact_contact);
+    set(prm, {"Solver", "Newton"}, is_fast ? fast_newton : exact_newton);
+    set(prm, {"Solver", "Linear"}, is_fast ? fast_linear : exact_linear);
+  }
+} // namespace Structure
