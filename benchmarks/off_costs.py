@@ -19,6 +19,7 @@ import sys
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 LIMIT = 1e-3  # share of the instructions of a run
+FAR_LIMIT = 0.02  # its facets move, and their boxes are compared
 
 SCENE = """
 set Driver = contact_scene
@@ -26,7 +27,7 @@ subsection Bodies
   set Names = lower, upper
   subsection lower
     subsection Mesh
-      set Cells = 6, 6, 3
+      set Cells = 4, 4, 2
     end
     subsection Material
       set Young's modulus = 1000
@@ -36,7 +37,7 @@ subsection Bodies
     subsection Mesh
       set Lower corner = 0.2, 0.2, 1
       set Upper corner = 0.8, 0.8, 1.5
-      set Cells        = 5, 5, 2
+      set Cells        = 3, 3, 1
     end
     subsection Material
       set Young's modulus = 3000
@@ -68,7 +69,7 @@ subsection Contact
   end
 end
 subsection Steps
-  set First step = 0.25
+  set First step = 0.5
 end
 subsection Output
   set Every            = 0
@@ -96,7 +97,6 @@ FEATURES = [
     ("adaptive meshes", r"[Rr]efine|gradient_jumps|execute_coarsening", []),
     ("fluid", r"Fluid", []),
     ("integration by points", r"evaluate_points|add_fixed_point", ["Contact/i/Integration=points"]),
-    ("history output", r"DataOut", ["Output/Every=1"]),
 ]
 
 
@@ -165,11 +165,13 @@ def main():
             if share(on_functions, on_total, pattern) == 0.0:
                 wrong.append(f"{name}: nothing of it runs when it is on: the pattern is wrong")
         lines.append(f"| {name} | {off:.1e} | {on} |")
-    for name, settings, limit in (
-        ("friction coefficient 0", ["Contact/i/Friction coefficient=0"], LIMIT),
-        ("no penetration report", ["Contact/i/Penetration report every=0"], LIMIT),
-        ("an interface far away", FAR, 10 * LIMIT),
-    ):
+    others = [("an interface far away", FAR, FAR_LIMIT)]
+    if not arguments.check:
+        others += [
+            ("friction coefficient 0", ["Contact/i/Friction coefficient=0"], LIMIT),
+            ("no penetration report", ["Contact/i/Penetration report every=0"], LIMIT),
+        ]
+    for name, settings, limit in others:
         other, _ = count(SCENE, settings, name, arguments)
         lines.append(f"| {name} |  | {other / total:.4f} |")
         if abs(other / total - 1.0) > limit:

@@ -110,7 +110,7 @@ class Hertz(Scene):
     def measure(self, summary, folder):
         c = self.contact(summary)
         # Hertz: F, p0 = (6 F E*^2/(pi^3 R^2))^(1/3)
-        return {"force": abs(c["force"][2] / 7071.0678 - 1.0),
+        return {"force": abs(-c["force"][2] / 7071.0678 - 1.0),
                 "pressure": abs(c["largest_pressure"] / 675237.2 - 1.0)}
 
 
@@ -118,7 +118,7 @@ class Rings(Scene):
     def __init__(self):
         super().__init__(
             "contact_scene", "benchmarks/trade/rings.prm", "Contact/fit", "fit",
-            scale=100, length=0.02,
+            scale=2000, length=0.02,
             mesh={"mesh / 2": ["Bodies/inner/Mesh/Cells=24, 4", "Bodies/outer/Mesh/Cells=32, 4"],
                   "mesh x 2": ["Bodies/inner/Mesh/Cells=96, 16", "Bodies/outer/Mesh/Cells=128, 16"]},
             order={"degree 2": ["Bodies/inner/Degree=2", "Bodies/outer/Degree=2"]})
@@ -133,7 +133,8 @@ class Ironing(Scene):
     def __init__(self):
         super().__init__(
             "contact_scene", "prm/verification/ironing.prm", "Contact/ironing", "ironing",
-            base=["Steps/End time=1.6", "Steps/First step=0.01", "Steps/Largest step=0.01"],
+            base=["Steps/End time=1.6", "Steps/First step=0.02", "Steps/Largest step=0.02",
+                  "Steps/Smallest step=0.005"],
             scale=100, length=0.1,
             mesh={"mesh / 2": ["Bodies/block/Mesh/Cells=60, 8", "Bodies/indenter/Mesh/Cells=6, 4"]})
 

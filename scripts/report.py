@@ -30,6 +30,7 @@ COLUMNS = {
     "largest_penetration": "largest penetration",
     "penetration_over_release": "over release",
     "penalty_share": "penalty's share of energy",
+    "integration_error": "error of integration",
 }
 
 

@@ -30,35 +30,10 @@ build "$root/build" Release "$driver" -- -DMORTAR_CONTACT_TESTS=OFF
 # nproc listens to OMP_NUM_THREADS
 ranks=${RANKS:-$(env -u OMP_NUM_THREADS nproc)}
 [ -z "${RANKS:-}" ] && [ "$ranks" -gt 2 ] && ranks=2
-status=0
-mpirun -np "$ranks" "$root/build/$driver" "$@" || status=$?
-
-# Pictures, and a page with all of the run.
-case "$driver" in
-  rubber_fit) pictures=pictures.py ;;
-  dummy_on_hood) pictures=hood_pictures.py ;;
-  shell_leaflet) pictures=valve_pictures.py ;;
-  *) pictures=plot_run.py ;;
+# Pictures, and a page with all of the run, where there is one.
+pictures=(--pictures)
+case " $* " in
+  *" --check "* | *" --print-parameters "* | *" --help "* | *" --version "*) pictures=() ;;
+  *) install_missing $picture_packages ;;
 esac
-if [ "$status" = 0 ]; then
-  case " $* " in
-    *" --check "* | *" --print-parameters "* | *" --help "* | *" --version "*) exit 0 ;;
-  esac
-  install_missing $picture_packages
-  folder=$(sed -n -e 's/^[[:space:]]*set[[:space:]]\+Directory[[:space:]]*=[[:space:]]*//p' \
-    -e 's/.*"Directory"[[:space:]]*:[[:space:]]*"\([^"]*\)".*/\1/p' "$file" |
-    sed 's/[[:space:]]*\(#.*\)\{0,1\}$//' | tail -1)
-  previous=
-  for word in "$@"; do
-    [ "$previous" = --output ] && folder=$word
-    case "$word" in
-      --output=*) folder=${word#--output=} ;;
-      Output/Directory=*) folder=${word#Output/Directory=} ;;
-    esac
-    previous=$word
-  done
-  /usr/bin/python3 "$root/scripts/$pictures" "${folder:-output}" ||
-    echo "WARNING: the pictures could not be made." >&2
-  /usr/bin/python3 "$root/scripts/report.py" "${folder:-output}"
-fi
-exit "$status"
+exec mpirun -np "$ranks" "$root/build/$driver" "$@" "${pictures[@]}"

@@ -12,6 +12,7 @@
 #include <CLI/CLI.hpp>
 
 #include <chrono>
+#include <cstdlib>
 #include <iostream>
 #include <sstream>
 #include <thread>
@@ -62,6 +63,27 @@ namespace Structure
           MPI_Abort(MPI_COMM_WORLD, code);
         }
       return code;
+    }
+
+    /// Pictures and a page of a run, by the scripts beside the sources.
+    void
+    make_pictures(const std::string &driver,
+                  const std::string &directory,
+                  Log               &log)
+    {
+      const std::string script =
+        (driver == "rubber_fit")    ? "pictures.py" :
+        (driver == "dummy_on_hood") ? "hood_pictures.py" :
+        (driver == "shell_leaflet") ? "valve_pictures.py" :
+                                      "plot_run.py";
+      for (const std::string &name : {script, std::string("report.py")})
+        {
+          const std::string command = "/usr/bin/python3 '" +
+                                      std::string(MORTAR_CONTACT_SCRIPTS) +
+                                      "/" + name + "' '" + directory + "'";
+          if (std::system(command.c_str()) != 0)
+            log.line("WARNING: no pictures: '" + command + "' failed.");
+        }
     }
 
     /// @param stage What a failure means from now on.
@@ -147,7 +169,7 @@ namespace Structure
     CLI::App    app(driver.description, driver.name);
     SceneSource source;
     std::string output, restart;
-    bool        print = false, check = false, quiet = false;
+    bool        print = false, check = false, quiet = false, pictures = false;
     source.driver = driver.name;
     app.add_option("FILE", source.file, "Parameter file (.prm, or .json)");
     app
@@ -164,6 +186,10 @@ namespace Structure
                  "Print the annotated defaults; "
                  "with FILE what it changes of them");
     app.add_flag("--check", check, "Read, build and report, do not solve");
+    app.add_flag("--pictures",
+                 pictures,
+                 "At the end make pictures and report.html (needs the source "
+                 "tree, VTK and matplotlib for Python)");
     app.add_flag("--quiet", quiet, "Nothing on the terminal but errors");
     app.set_version_flag("--version", "MortarContact 0.1.0");
     app.footer(
@@ -231,6 +257,8 @@ namespace Structure
             run_scene<3>(scene, used, restart, check, log, stage);
         if (code == finished && !check && driver.finish)
           driver.finish(scene.output.directory, MPI_COMM_WORLD);
+        if (code == finished && !check && pictures && is_root)
+          make_pictures(driver.name, scene.output.directory, log);
         return code;
       }
     catch (const ExcMessage &e)

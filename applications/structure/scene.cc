@@ -610,17 +610,14 @@ namespace Structure
         {
           prm.parse_input_from_json(in, skip_undefined);
         }
-      catch (const ExceptionBase &)
+      catch (const ExceptionBase &e)
         {
-          throw;
-        }
-      catch (const std::exception &e) // boost's, of the syntax
-        {
-          error = e.what();
+          std::ostringstream info;
+          e.print_info(info);
+          error = Utilities::trim(info.str());
         }
       AssertThrow(error.empty(),
-                  ExcMessage("The parameter file '" + file +
-                             "' is no JSON: " + error));
+                  ExcMessage("In the parameter file '" + file + "': " + error));
     }
   } // namespace
 
