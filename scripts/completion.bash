@@ -34,7 +34,7 @@ _mortar_contact() {
   esac
   case "$word" in
     -*)
-      mapfile -t COMPREPLY < <(compgen -W "--set --output --restart --check --quiet \
+      mapfile -t COMPREPLY < <(compgen -W "--set --output --restart --check --pictures --quiet \
         --print-parameters --help --version" -- "$word")
       ;;
     *)

@@ -20,24 +20,26 @@ libraries=$(ninja -C "$build" -t commands contact_scene | tail -1 |
   sed 's/.* -o contact_scene//; s/ && .*//')
 
 compile() { # SOURCE OBJECT
-  [ "$2" -nt "$1" ] || clang++-14 $flags "-I$root/applications" -std=c++17 -O1 -w \
+  clang++-14 $flags "-I$root/applications" -std=c++17 -O1 -w \
     -fsanitize=fuzzer-no-link,address -c "$1" -o "$2"
 }
 readers=(structure/scene structure/suggestion structure/checkpoint geometry/mesh_maker
   geometry/mesh_parameters geometry/shell_file geometry/surface_reader)
 targets=(parameters meshes checkpoints)
-made=()
+made=() compilers=()
 for reader in "${readers[@]}"; do
   object=$work/$(basename "$reader").o
   made+=("$object")
-  while [ "$(jobs -rp | wc -l)" -ge 2 ]; do wait -n; done
+  while [ "$(jobs -rp | wc -l)" -ge 2 ]; do sleep 1; done
   compile "$root/applications/$reader.cc" "$object" &
+  compilers+=($!)
 done
 for target in "${targets[@]}"; do
-  while [ "$(jobs -rp | wc -l)" -ge 2 ]; do wait -n; done
+  while [ "$(jobs -rp | wc -l)" -ge 2 ]; do sleep 1; done
   compile "$root/tests/fuzz/$target.cc" "$work/$target.o" &
+  compilers+=($!)
 done
-wait
+for compiler in "${compilers[@]}"; do wait "$compiler"; done
 
 # first inputs; the first byte chooses a reader, see tests/fuzz
 seeds=$work/seeds
@@ -48,6 +50,7 @@ for file in "$root"/prm/tutorial/0[1367]*.prm; do
 done
 printf '%s' '{{"Driver": "contact_scene", "Bodies": {"Names": "b"}}' > "$seeds/parameters/json"
 { printf 'i'; cat "$root/prm/verification/shell_mixed.inp"; } > "$seeds/meshes/inp"
+{ printf 'm'; cat "$root/prm/tutorial/08_hook.msh"; } > "$seeds/meshes/msh"
 printf 'ssolid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid s\n' \
   > "$seeds/meshes/stl"
 "$build/contact_scene" "$root/prm/tutorial/01_two_blocks.prm" --quiet \

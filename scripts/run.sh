@@ -34,6 +34,11 @@ ranks=${RANKS:-$(env -u OMP_NUM_THREADS nproc)}
 pictures=(--pictures)
 case " $* " in
   *" --check "* | *" --print-parameters "* | *" --help "* | *" --version "*) pictures=() ;;
-  *) install_missing $picture_packages ;;
+  *)
+    if ! (install_missing $picture_packages); then
+      echo "WARNING: there will be no pictures." >&2
+      pictures=()
+    fi
+    ;;
 esac
 exec mpirun -np "$ranks" "$root/build/$driver" "$@" "${pictures[@]}"

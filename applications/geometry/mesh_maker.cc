@@ -159,7 +159,8 @@ namespace Structure
     {
       std::ifstream in(file);
       std::string   line, section;
-      unsigned long number = 0, first = 0, announced = 0;
+      // lines of the file, where the section began, entries in it
+      unsigned long number = 0, first = 0, entries = 0, announced = 0;
       bool          is_old = true; // format 2: an entry is a line
       const auto    fail   = [&](const std::string &what) {
         AssertThrow(false,
@@ -168,26 +169,43 @@ namespace Structure
       while (std::getline(in, line))
         {
           ++number;
-          line = Utilities::trim(line);
+          line                = Utilities::trim(line);
+          const bool is_count = section == "Nodes" || section == "Elements";
+          if (line == "$NOD") // format 1
+            return;
+          if (line.empty())
+            continue;
           if (section.empty())
             {
-              if (!line.empty() && line[0] == '$')
+              if (line[0] == '$')
                 {
                   section = line.substr(1);
                   first   = number;
+                  entries = 0;
                 }
             }
           else if (line == "$End" + section)
             {
-              if (is_old && (section == "Nodes" || section == "Elements") &&
-                  number - first - 2 != announced)
+              if (is_old && is_count && entries != announced + 1)
                 fail("'$" + section + "' in line " + std::to_string(first) +
                      " announces " + std::to_string(announced) +
                      " entries; there are " +
-                     std::to_string(number - first - 2));
+                     std::to_string(entries == 0 ? 0 : entries - 1));
+              if (section == "Elements")
+                return; // nothing behind is read
               section.clear();
             }
-          else if (is_old && section == "Elements" && number > first + 1)
+          else if (++entries == 1)
+            {
+              std::istringstream words(line);
+              double             version = 0.;
+              if (section == "MeshFormat" && words >> version)
+                is_old = version < 4.;
+              else if (is_count && !(words >> announced))
+                fail("line " + std::to_string(number) + " is '" + line +
+                     "'; expected the number of entries of '$" + section + "'");
+            }
+          else if (is_old && section == "Elements")
             {
               // number, type, number of tags, tags, nodes
               std::istringstream words(line);
@@ -199,16 +217,6 @@ namespace Structure
                 fail("line " + std::to_string(number) + " is '" + line +
                      "'; expected number, type, number of tags, tags and "
                      "nodes of an element");
-            }
-          else if (number == first + 1)
-            {
-              std::istringstream words(line);
-              double             version = 0.;
-              if (section == "MeshFormat" && words >> version)
-                is_old = version < 4.;
-              else if (!(words >> announced) && section != "MeshFormat")
-                fail("line " + std::to_string(number) + " is '" + line +
-                     "'; expected the number of entries of '$" + section + "'");
             }
         }
       if (!section.empty())

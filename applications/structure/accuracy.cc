@@ -65,4 +65,20 @@ namespace Structure
     set(prm, {"Solver", "Newton"}, is_fast ? fast_newton : exact_newton);
     set(prm, {"Solver", "Linear"}, is_fast ? fast_linear : exact_linear);
   }
+
+
+  bool
+  is_set_by_accuracy(const std::string &entry)
+  {
+    for (const Entries *entries : {&fast_contact,
+                                   &fast_newton,
+                                   &fast_linear,
+                                   &exact_contact,
+                                   &exact_newton,
+                                   &exact_linear})
+      for (const auto &pair : *entries)
+        if (pair.first == entry)
+          return true;
+    return false;
+  }
 } // namespace Structure

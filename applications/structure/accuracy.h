@@ -26,6 +26,10 @@ namespace Structure
   set_accuracy(ParameterHandler                            &prm,
                const std::string                           &accuracy,
                const std::vector<std::vector<std::string>> &interfaces);
+
+  /// Whether set_accuracy() may set an entry of this name.
+  bool
+  is_set_by_accuracy(const std::string &entry);
 } // namespace Structure
 
 #endif

@@ -87,7 +87,10 @@ namespace Structure
       if (i.integration_error > large_integration_error)
         {
           using Rule      = MortarContact::Integration::Rule;
-          const Rule rule = i.parameters->integration.rule;
+          const Rule rule = (i.is_on_obstacle &&
+                             i.parameters->integration.rule == Rule::segments) ?
+                              Rule::points :
+                              i.parameters->integration.rule;
           sentences.push_back(
             "ACCURACY: a finer rule of integration would change the forces on "
             "the facets of '" +

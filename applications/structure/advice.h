@@ -22,6 +22,7 @@ namespace Structure
       double                                  energy; ///< Of its springs [J].
       /// See ContactInterface::integration_error().
       double integration_error;
+      bool   is_on_obstacle; ///< Points on a smooth rigid surface.
     };
 
     std::vector<Interface> interfaces;

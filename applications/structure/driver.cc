@@ -76,11 +76,14 @@ namespace Structure
         (driver == "dummy_on_hood") ? "hood_pictures.py" :
         (driver == "shell_leaflet") ? "valve_pictures.py" :
                                       "plot_run.py";
+      std::string quoted;
+      for (const char c : directory)
+        quoted += (c == '\'') ? "'\\''" : std::string(1, c);
       for (const std::string &name : {script, std::string("report.py")})
         {
           const std::string command = "/usr/bin/python3 '" +
                                       std::string(MORTAR_CONTACT_SCRIPTS) +
-                                      "/" + name + "' '" + directory + "'";
+                                      "/" + name + "' '" + quoted + "'";
           if (std::system(command.c_str()) != 0)
             log.line("WARNING: no pictures: '" + command + "' failed.");
         }

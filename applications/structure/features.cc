@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "features.h"
 
+#include <algorithm>
+
 namespace Structure
 {
   std::vector<Feature>
@@ -43,7 +45,15 @@ namespace Structure
           two_sweeps.because.push_back(where + "/Kind");
         if (c.kind == Kind::automatic_single_surface)
           self.because.push_back(where + "/Kind");
-        if (c.integration.rule == Rule::segments)
+        // smooth rigid surfaces have no segments
+        const bool on_obstacle =
+          std::any_of(scene.rigid_bodies.begin(),
+                      scene.rigid_bodies.end(),
+                      [&](const RigidParameters &r) {
+                        return !i.primary.empty() &&
+                               r.name == i.primary[0].body && r.type != "mesh";
+                      });
+        if (c.integration.rule == Rule::segments && !on_obstacle)
           clipping.because.push_back(where + "/Integration = segments");
         if (c.friction.is_on())
           friction.because.push_back(where + "/Friction ...");

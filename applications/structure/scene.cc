@@ -8,6 +8,8 @@
 #include <deal.II/base/patterns.h>
 #include <deal.II/base/utilities.h>
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -566,8 +568,10 @@ namespace Structure
                                                ParameterHandler::ShortPRM);
     if (!source.only_changed)
       return out.str();
-    // the annotated form says where a value is not the default
-    const std::string        mark = "# default:";
+    // the annotated form says where a value is not the default; what a file has
+    // taken back from 'Accuracy' counts, too
+    const std::string        mark     = "# default:";
+    const bool               has_many = prm.get("Accuracy") != "balanced";
     std::istringstream       in(out.str());
     std::string              line;
     std::vector<std::string> kept;
@@ -576,9 +580,14 @@ namespace Structure
         const std::string text = Utilities::trim(line);
         if (text.rfind("subsection ", 0) == 0)
           kept.push_back(line);
-        else if (text.rfind("set ", 0) == 0 &&
-                 line.find(mark) != std::string::npos)
-          kept.push_back(line.substr(0, line.find(mark)));
+        else if (text.rfind("set ", 0) == 0)
+          {
+            const std::string entry =
+              Utilities::trim(text.substr(4, text.find('=') - 4));
+            if (line.find(mark) != std::string::npos || entry == "Driver" ||
+                (has_many && is_set_by_accuracy(entry)))
+              kept.push_back(line.substr(0, line.find(mark)));
+          }
         else if (text == "end")
           {
             // a section without entries is none
@@ -597,27 +606,58 @@ namespace Structure
 
   namespace
   {
-    /// A file in JSON: sections are objects, values strings, numbers or
-    /// booleans.
-    void
-    parse_json(ParameterHandler  &prm,
-               std::istream      &in,
-               const std::string &file,
-               const bool         skip_undefined)
+    /// Sections and entries of a JSON object, in the form of a parameter file.
+    std::string
+    text_of(const nlohmann::json &object, const std::string &where)
     {
-      std::string error;
+      std::string text;
+      for (const auto &[name, value] : object.items())
+        {
+          if (value.is_object())
+            {
+              text += "subsection " + name + "\n" +
+                      text_of(value, where + name + "/") + "end\n";
+              continue;
+            }
+          std::string written;
+          const auto  add = [&](const nlohmann::json &one) {
+            AssertThrow(one.is_string() || one.is_number() || one.is_boolean(),
+                        ExcMessage("'" + where + name + "' is '" +
+                                   value.dump() +
+                                   "'; expected a string, a number, true or "
+                                    "false, or a list of them."));
+            written += (written.empty() ? "" : ", ") +
+                       (one.is_string() ? one.get<std::string>() : one.dump());
+          };
+          if (value.is_array())
+            for (const nlohmann::json &one : value)
+              add(one);
+          else
+            add(value);
+          text += "set " + name + " = " + written + "\n";
+        }
+      return text;
+    }
+
+    /// A file in JSON: sections are objects, values strings, numbers, booleans
+    /// or lists of them.
+    std::string
+    text_of_json(std::istream &in, const std::string &file)
+    {
+      nlohmann::json json;
+      std::string    error;
       try
         {
-          prm.parse_input_from_json(in, skip_undefined);
+          json = nlohmann::json::parse(in);
         }
-      catch (const ExceptionBase &e)
+      catch (const nlohmann::json::exception &e)
         {
-          std::ostringstream info;
-          e.print_info(info);
-          error = Utilities::trim(info.str());
+          error = e.what();
         }
-      AssertThrow(error.empty(),
-                  ExcMessage("In the parameter file '" + file + "': " + error));
+      AssertThrow(error.empty() && json.is_object(),
+                  ExcMessage("The parameter file '" + file +
+                             "' is no JSON object: " + error));
+      return text_of(json, "");
     }
   } // namespace
 
@@ -631,10 +671,10 @@ namespace Structure
     AssertThrow(in,
                 ExcMessage("The parameter file '" + source.file +
                            "' cannot be opened."));
-    const auto read = [&](const std::function<void()> &parse_it) {
+    const auto read_text = [&](std::istream &text, const std::string &name) {
       try
         {
-          parse_it();
+          prm.parse_input(text, name, "", skip_undefined);
         }
       catch (const ExceptionBase &e)
         {
@@ -644,15 +684,15 @@ namespace Structure
           AssertThrow(false, ExcMessage(error + did_you_mean(prm, error)));
         }
     };
-    const auto read_text = [&](std::istream &text, const std::string &name) {
-      read([&]() { prm.parse_input(text, name, "", skip_undefined); });
-    };
     const std::string json = ".json";
     const bool        is_json =
       source.file.size() > json.size() &&
       source.file.substr(source.file.size() - json.size()) == json;
     if (is_json)
-      read([&]() { parse_json(prm, in, source.file, skip_undefined); });
+      {
+        std::istringstream text(text_of_json(in, source.file));
+        read_text(text, source.file);
+      }
     else
       read_text(in, source.file);
     for (const std::string &setting : source.settings)

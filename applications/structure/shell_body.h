@@ -30,8 +30,8 @@ namespace Structure
   /**
    * A shell: a mesh of quadrilaterals and triangles in space with the elements
    * of ShellElement. Boundary ids are those of edges. Loads: traction on edges
-   * (force per undeformed length; moments too) or on the surface (per undeformed area);
-   * pressure on the surface, positive pushes on the top.
+   * (force per undeformed length; moments too) or on the surface (per
+   * undeformed area); pressure on the surface, positive pushes on the top.
    */
   class ShellBody : public MeshBody<2, 3>
   {

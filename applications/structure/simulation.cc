@@ -527,14 +527,7 @@ namespace Structure
         report_setup();
         output.fields(model, u, time, step);
       }
-    const std::array<std::string, 3> at_rest = {{"0", "0", "0"}};
-    audit.is_possible =
-      model.is_dynamic() && !model.fluid && !scene.refinement.is_on() &&
-      std::all_of(scene.rigid_bodies.begin(),
-                  scene.rigid_bodies.end(),
-                  [&](const RigidParameters &r) {
-                    return r.translation == at_rest && r.rotation_angle == "0";
-                  });
+    begin_audit();
     wall.restart();
     const double first_time = time;
     // times closer than this are the same
@@ -795,6 +788,30 @@ namespace Structure
 
   template <int dim>
   void
+  Simulation<dim>::begin_audit()
+  {
+    const std::array<std::string, 3> at_rest = {{"0", "0", "0"}};
+    audit.is_possible =
+      model.is_dynamic() && !model.fluid && !scene.refinement.is_on() &&
+      std::all_of(scene.rigid_bodies.begin(),
+                  scene.rigid_bodies.end(),
+                  [&](const RigidParameters &r) {
+                    return r.translation == at_rest &&
+                           r.rotation_angle == "0" && r.formula.empty();
+                  }) &&
+      std::all_of(scene.interfaces.begin(),
+                  scene.interfaces.end(),
+                  [](const InterfaceParameters &i) {
+                    return !i.contact.augmentation.is_on &&
+                           i.contact.removal_time == 0.;
+                  });
+    if (audit.is_possible)
+      audit_energy(model.kinetic_energy() + model.strain_energy(u));
+  }
+
+
+  template <int dim>
+  void
   Simulation<dim>::audit_energy(const double energy_of_bodies)
   {
     if (!audit.is_possible)
@@ -857,7 +874,8 @@ namespace Structure
       run.interfaces.push_back({interface->name,
                                 &interface->parameters,
                                 interface->report().energy,
-                                interface->integration_error()});
+                                interface->integration_error(),
+                                interface->is_on_obstacle()});
 
     nlohmann::json json;
     json["status"]            = status;

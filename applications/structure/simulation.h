@@ -155,6 +155,11 @@ namespace Structure
     void
     audit_energy(const double energy);
 
+    /// Begin it, where nothing does work that is not known: no tool is moved,
+    /// no fluid pushes, no treatment takes overlaps away.
+    void
+    begin_audit();
+
     void
     save_checkpoint();
 
@@ -177,7 +182,7 @@ namespace Structure
     /// See audit_energy(); of this run, from its first step on.
     struct EnergyAudit
     {
-      bool     is_possible = false; ///< No tool is moved, no fluid pushes.
+      bool     is_possible = false; ///< See begin_audit().
       bool     has_begun   = false;
       double   start = 0., work = 0.; ///< Energy then, work since [J].
       double   largest = 0.;          ///< Energy so far [J].

@@ -378,6 +378,7 @@ namespace MortarContact
       sweep.history       = history;
       sweep.augmentation  = augmentation;
       sweep.deepest_level = deepest_level;
+      sweep.last_reach    = last_reach;
       sweep.pairs         = sample;
       sweep.evaluate(last_share, last_time_step, false);
       std::map<unsigned int, Forces> forces;
@@ -403,11 +404,13 @@ namespace MortarContact
       {
         const auto mine = ours.try_emplace(f, Forces{}).first;
         result[0] += size(mine->second, forces);
-        result[1] += size(forces, Forces{});
+        result[1] +=
+          std::max(size(mine->second, Forces{}), size(forces, Forces{}));
         ours.erase(mine);
       }
     for (const auto &[f, forces] : ours)
-      result[0] += size(forces, Forces{});
+      for (double &sum : result)
+        sum += size(forces, Forces{});
     return result;
   }
 

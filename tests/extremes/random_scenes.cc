@@ -7,6 +7,8 @@
 #include "../support/run_scene.h"
 
 #include <cmath>
+#include <fstream>
+#include <iostream>
 #include <random>
 #include <sstream>
 
@@ -168,6 +170,7 @@ namespace
     Tensor<1, 3>              force; ///< Without units.
     std::vector<Tensor<1, 3>> reactions;
     double                    balance = 0., largest = 0.;
+    bool                      has_saved = false; ///< A state to go on from.
   };
 
   template <int dim>
@@ -193,6 +196,8 @@ namespace
           }
         o.balance = s->model.interfaces[0]->check_balance();
         o.largest = s->u.linfty_norm() / length;
+        o.has_saved =
+          !!std::ifstream(s->scene.output.directory + "/checkpoint/state");
       }
     catch (const ExcMessage &e)
       {
@@ -203,10 +208,13 @@ namespace
     return o;
   }
 
+  unsigned int n_scenes = 0, n_solved = 0;
+
   template <int dim>
   void
   check(const unsigned int seed)
   {
+    ++n_scenes;
     const Outcome o = play<dim>(seed, 1., 1.);
     if (!o.refusal.empty())
       {
@@ -218,6 +226,8 @@ namespace
     std::cout << (o.code == finished ? "solved" : "given up") << " at "
               << o.time << ", force " << o.force << std::endl;
     EXPECT_TRUE(o.code == finished || o.code == no_convergence);
+    n_solved += o.code == finished;
+    EXPECT_TRUE(o.code == finished || o.has_saved);
     EXPECT_TRUE(std::isfinite(o.largest));
     EXPECT_LT(o.largest, 2.);
     EXPECT_LT(o.balance, 1e-11);
@@ -240,7 +250,16 @@ namespace
   }
 
   class RandomScenes : public testing::TestWithParam<unsigned int>
-  {};
+  {
+  protected:
+    static void
+    TearDownTestSuite()
+    {
+      // scenes that are all refused or given up show nothing
+      std::cout << n_solved << " of " << n_scenes << " solved" << std::endl;
+      EXPECT_GE(2 * n_solved, n_scenes);
+    }
+  };
 } // namespace
 
 

@@ -7,6 +7,8 @@
 #include "../support/rings.h"
 
 #include <cmath>
+#include <fstream>
+#include <sstream>
 
 using namespace Test;
 
@@ -116,6 +118,11 @@ TEST(ExtremeStiffness, TooSoftIsRefused)
   auto s = make<3>(b.text<3>() + section("Steps", "Smallest step = 0.01"), log);
   EXPECT_EQ(s->run(), no_convergence);
   EXPECT_LT(s->time, 1.);
+  std::ifstream     file(s->scene.output.directory + "/run.log");
+  std::stringstream text;
+  text << file.rdbuf();
+  EXPECT_NE(text.str().find("release depth"), std::string::npos);
+  EXPECT_TRUE(std::ifstream(s->scene.output.directory + "/checkpoint/state"));
   EXPECT_TRUE(std::isfinite(s->u.linfty_norm()));
 }
 

@@ -22,9 +22,16 @@ LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_t size)
         read_surface(file("fuzz.stl"), vertices, facets);
         return;
       }
-    Triangulation<2, 3> mesh;
-    MeshParameters      parameters;
+    MeshParameters parameters;
     parameters.type = "file";
+    if (data[0] == 'm')
+      {
+        Triangulation<2> mesh;
+        parameters.file = file("fuzz.msh");
+        make_mesh(parameters, mesh);
+        return;
+      }
+    Triangulation<2, 3> mesh;
     parameters.file = file("fuzz.inp");
     (void)make_shell_mesh(parameters, mesh);
   });

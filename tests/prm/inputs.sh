@@ -25,6 +25,8 @@ cmp "$work/defaults/history.csv" "$work/small/history.csv"
 cmp "$work/defaults/history.csv" "$work/again/history.csv"
 "$fit" --print-parameters > "$work/fit.prm"
 "$fit" "$work/fit.prm" --check --quiet
+"$fit" "$work/fit.prm" --print-parameters > "$work/small_fit.prm"
+"$fit" "$work/small_fit.prm" --check --quiet
 
 # the same scene as JSON
 cat > "$work/scene.json" << 'END'
@@ -56,6 +58,11 @@ grep -q "comma.json" <<< "$message" || fail "no file in: $message"
 sed "s/Young's modulus/Young's modul/" "$work/scene.json" > "$work/entry.json"
 message=$("$scene" "$work/entry.json" --quiet 2>&1 > /dev/null) && fail "unknown entry in JSON"
 grep -q "Young's modul" <<< "$message" || fail "no entry in: $message"
+sed 's/"Driver"/"Dimension": true, "Driver"/' "$work/scene.json" > "$work/value.json"
+message=$("$scene" "$work/value.json" --quiet 2>&1 > /dev/null) && fail "true dimensions"
+grep -q "Dimension" <<< "$message" || fail "no entry in: $message"
+sed 's/"Names": "body"/"Names": ["body"]/' "$work/scene.json" > "$work/list.json"
+"$scene" "$work/list.json" --check --quiet || fail "a list in JSON"
 
 # presets set entries, those of the file win
 "$scene" "$work/small.prm" --print-parameters --set Accuracy=exact > "$work/exact.prm"
@@ -63,6 +70,10 @@ grep -q "Degree *= 6" "$work/exact.prm" || fail "Accuracy = exact sets no Degree
 "$scene" "$work/small.prm" --print-parameters --set Accuracy=exact \
   --set Contact/interface/Degree=4 > "$work/four.prm"
 grep -q "Degree *= 4" "$work/four.prm" || fail "Accuracy overrules an entry"
+"$scene" "$work/small.prm" --print-parameters --set Accuracy=exact \
+  --set Contact/interface/Degree=5 > "$work/five.prm"
+"$scene" "$work/five.prm" --print-parameters | grep -q "Degree *= 5" ||
+  fail "a default that is given again is lost"
 
 # features and why they are on
 "$scene" "$work/small.prm" --check --set "Contact/interface/Friction coefficient=0.3" \

@@ -58,6 +58,49 @@ TEST(MeshFiles, GmshQuadrilateralsWithBoundaryIds)
 
 
 
+// Blank lines, comments, Windows' line ends and what lies behind the elements
+// are no reason to refuse a file; wrong counts are, with the line.
+TEST(MeshFiles, GmshFilesAreReadOrRefusedWithTheirLine)
+{
+  const std::string good =
+    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Comments\nby hand\n$EndComments\n"
+    "$Nodes\n4\n1 0 0 0\n2 1 0 0\n\n3 1 1 0\n4 0 1 0\n$EndNodes\n"
+    "$Elements\n1\n1 3 2 0 1 1 2 3 4\n$EndElements\n$Odd\nthing\n";
+  std::string windows;
+  for (const char c : good)
+    windows += (c == '\n') ? "\r\n" : std::string(1, c);
+  for (const std::string &text : {good, windows})
+    {
+      Triangulation<2> mesh;
+      read<2>("good.msh", text, mesh);
+      EXPECT_EQ(mesh.n_active_cells(), 1u);
+    }
+  const auto refusal = [&](const std::string &from, const std::string &to) {
+    std::string text = good;
+    text.replace(text.find(from), from.size(), to);
+    Triangulation<2> mesh;
+    try
+      {
+        read<2>("bad.msh", text, mesh);
+      }
+    catch (const ExcMessage &e)
+      {
+        std::ostringstream info;
+        e.print_info(info);
+        return info.str();
+      }
+    return std::string("read");
+  };
+  EXPECT_NE(refusal("$Nodes\n4", "$Nodes\n5").find("line 7 announces 5"),
+            std::string::npos);
+  EXPECT_NE(refusal("$EndElements", "").find("no '$EndElements'"),
+            std::string::npos);
+  EXPECT_NE(refusal("1 3 2 0 1", "1 3 -1 0 1").find("line 18"),
+            std::string::npos);
+}
+
+
+
 TEST(MeshFiles, AbaqusHexahedron)
 {
   Triangulation<3> mesh;

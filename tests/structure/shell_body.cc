@@ -85,6 +85,64 @@ TEST(ShellElementBody, FollowerPressureHasItsDerivativeAndPushesTheTop)
 }
 
 
+// A moment does the work m . d x d'/d.d on a director: its derivative, and the
+// couple of the forces it makes.
+TEST(ShellElementBody, MomentOnAnEdgeHasItsDerivativeAndItsCouple)
+{
+  Triangulation<2, 3> mesh;
+  make_shell_mesh(box("x; y; 0.2*x*y", 1, 1), mesh);
+  ShellBody shell("shell", mesh, steel(), {}, MPI_COMM_SELF);
+  Load<3>   load;
+  load.type       = Load<3>::Type::moment;
+  load.boundaries = {1};
+  for (unsigned int i = 0; i < 3; ++i)
+    {
+      load.of_component[i] = i;
+      load.formulas.emplace_back(i == 0 ? "1" :
+                                 i == 1 ? "-2" :
+                                          "0.5",
+                                 "Moment");
+    }
+  const unsigned int n = shell.n_dofs_per_cell(0);
+  Vector<double>     u(n), forces(n), plus(n), minus(n), at_rest(n);
+  FullMatrix<double> K(n, n), none;
+  shell.add_load(0, load, u, 0., at_rest, none);
+  // at rest, with d = D: the couple sum of D x f is the moment less its part
+  // along D, times the edge's length
+  Tensor<1, 3> couple, normal;
+  for (unsigned int a = 0; a < 4; ++a)
+    {
+      Tensor<1, 3> D;
+      for (unsigned int i = 0; i < 3; ++i)
+        D[i] = shell.place_of(0, 6 * a + 3 + i).arm[i];
+      const Tensor<1, 3> f(
+        {at_rest(6 * a + 3), at_rest(6 * a + 4), at_rest(6 * a + 5)});
+      couple += cross_product_3d(D, f);
+      normal += 0.25 * D / D.norm();
+    }
+  const Tensor<1, 3> m({1., -2., 0.5});
+  const double       length = std::sqrt(1. + 0.04);
+  // the directors of the edge differ from their mean by a tenth
+  EXPECT_LT((couple - length * (m - (m * normal) * normal)).norm(),
+            0.2 * m.norm());
+  for (unsigned int i = 0; i < n; ++i)
+    u(i) = 0.2 * std::sin(1. + 5. * i);
+  shell.add_load(0, load, u, 0., forces, K);
+  const double h = 1e-6;
+  for (unsigned int i = 0; i < n; ++i)
+    {
+      Vector<double> a = u, b = u;
+      a(i) += h;
+      b(i) -= h;
+      plus = minus = 0.;
+      shell.add_load(0, load, a, 0., plus, none);
+      shell.add_load(0, load, b, 0., minus, none);
+      for (unsigned int j = 0; j < n; ++j)
+        EXPECT_NEAR(-(plus(j) - minus(j)) / (2. * h), K(j, i), 1e-8);
+    }
+}
+
+
 // A closed ring: merged vertices leave no edge along the seam, and the skin is
 // closed; the volume between two prisms of n sides with radii 1 -+ t/2.
 TEST(ShellElementBody, SkinOfAMergedRingIsClosed)

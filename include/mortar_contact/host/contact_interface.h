@@ -243,10 +243,11 @@ namespace MortarContact
     check_balance() const;
 
     /**
-     * What a better rule of integration would change of the contact forces at
-     * the last update(), over these forces: an estimate of the error of the
-     * rule that is used, from at most @p most_facets facets in contact of each
-     * rank. Ties are not looked at. Collective.
+     * What a better rule of integration would change of the contact forces on
+     * facets at the last update(), over the larger of both: an estimate of the
+     * error of the rule that is used, 1 where only one of them sees contact;
+     * from at most @p most_facets facets in contact of each rank. Ties are not
+     * looked at. Collective.
      */
     double
     integration_error(const unsigned int most_facets = 500) const;
@@ -261,6 +262,13 @@ namespace MortarContact
     surface(const unsigned int side) const
     {
       return surfaces[side];
+    }
+
+    /// Whether the primary is one smooth rigid surface: points, no segments.
+    bool
+    is_on_obstacle() const
+    {
+      return obstacle != nullptr;
     }
 
     /// Sweeps: one, or two with swapped sides.

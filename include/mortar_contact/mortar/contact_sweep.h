@@ -140,8 +140,8 @@ namespace MortarContact
     /**
      * What another rule of integration would change of the last evaluation: the
      * sum over facets in contact, @p most_facets of them or all, of how much
-     * the normal forces on their vertices differ, and the sum of the forces
-     * with the other rule [N].
+     * the normal forces on their vertices differ, and the sum of the larger of
+     * both [N].
      */
     std::array<double, 2>
     compare(const Integration &other, const unsigned int most_facets) const;
