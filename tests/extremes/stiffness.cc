@@ -121,7 +121,8 @@ TEST(ExtremeStiffness, TooSoftIsRefused)
   std::ifstream     file(s->scene.output.directory + "/run.log");
   std::stringstream text;
   text << file.rdbuf();
-  EXPECT_NE(text.str().find("release depth"), std::string::npos);
+  // pressed through the other block, it is held by nothing
+  EXPECT_NE(text.str().find("nothing holds"), std::string::npos);
   EXPECT_TRUE(std::ifstream(s->scene.output.directory + "/checkpoint/state"));
   EXPECT_TRUE(std::isfinite(s->u.linfty_norm()));
 }
