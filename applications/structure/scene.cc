@@ -611,8 +611,10 @@ namespace Structure
     text_of(const nlohmann::json &object, const std::string &where)
     {
       std::string text;
-      for (const auto &[name, value] : object.items())
+      for (const auto &item : object.items())
         {
+          const std::string     name  = item.key();
+          const nlohmann::json &value = item.value();
           if (value.is_object())
             {
               text += "subsection " + name + "\n" +
