@@ -54,9 +54,11 @@ namespace Structure
     /// share in each.
     constexpr double nearly_there = 0.1;
 
-    /// An update this many times the size of the scene comes of a tangent that
-    /// is singular but for round-off.
-    constexpr double no_update = 1e6;
+    /// Updates this many times the size of the scene come of a tangent that is
+    /// singular but for round-off. Cut short they may lead to contact, which
+    /// holds what nothing held; so many are given up.
+    constexpr double       no_update      = 1e6;
+    constexpr unsigned int most_no_update = 5;
 
     /// Iterations after which updates of shells are shortened, too, where a
     /// first try (with extrapolated stresses) has failed: contact of edges may
@@ -135,6 +137,7 @@ namespace Structure
     double     last_residual = std::numeric_limits<double>::max();
     double     last_motion   = std::numeric_limits<double>::max();
 
+    unsigned int  n_no_updates = 0;
     NewtonIterate iterate;
     iterate.update = std::numeric_limits<double>::max();
     result.failure = model.assemble(u, time, true);
@@ -206,7 +209,8 @@ namespace Structure
             return result;
           }
         model.constraints.distribute(du);
-        if (du.linfty_norm() > no_update * model.size)
+        if (du.linfty_norm() > no_update * model.size &&
+            ++n_no_updates > most_no_update)
           {
             result.failure = "the tangent matrix is nearly singular (a body "
                              "that nothing holds?)";
