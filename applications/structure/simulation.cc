@@ -805,8 +805,24 @@ namespace Structure
                     return !i.contact.augmentation.is_on &&
                            i.contact.removal_time == 0.;
                   });
-    if (audit.is_possible)
-      audit_energy(model.kinetic_energy() + model.strain_energy(u));
+    if (!audit.is_possible)
+      return;
+    audit.start =
+      model.kinetic_energy() + model.strain_energy(u) + contact_energy();
+    audit.largest = audit.start;
+    audit.forces  = model.outer_forces();
+    audit.u       = u;
+  }
+
+
+  template <int dim>
+  double
+  Simulation<dim>::contact_energy() const
+  {
+    double energy = 0.;
+    for (const auto &interface : model.interfaces)
+      energy += interface->report().energy;
+    return energy;
   }
 
 
@@ -816,32 +832,24 @@ namespace Structure
   {
     if (!audit.is_possible)
       return;
-    double energy = energy_of_bodies;
-    for (const auto &interface : model.interfaces)
-      energy += interface->report().energy;
-    Vector_t forces = model.outer_forces();
-    audit.largest   = std::max(audit.largest, energy);
-    if (audit.has_begun)
-      {
-        Vector_t mean = forces, motion = u;
-        mean.sadd(0.5, 0.5, audit.forces);
-        motion -= audit.u;
-        audit.work += mean * motion;
-        const double before = audit.growth;
-        audit.growth =
-          std::max(audit.growth,
-                   (energy - audit.start - audit.work) /
-                     std::max({audit.largest, std::abs(audit.work), 1e-300}));
-        if (before <= large_energy_growth && audit.growth > large_energy_growth)
-          log.line("  WARNING: there is " + number(100. * audit.growth, 2) +
-                   " % more energy than what was put in; steps are too long "
-                   "for what happens in them");
-      }
-    else
-      audit.start = energy;
-    audit.has_begun = true;
-    audit.forces    = forces;
-    audit.u         = u;
+    const double   energy = energy_of_bodies + contact_energy();
+    const Vector_t forces = model.outer_forces();
+    Vector_t       mean = forces, motion = u;
+    mean.sadd(0.5, 0.5, audit.forces);
+    motion -= audit.u;
+    audit.work += mean * motion;
+    audit.largest       = std::max(audit.largest, energy);
+    const double before = audit.growth;
+    audit.growth =
+      std::max(audit.growth,
+               (energy - audit.start - audit.work) /
+                 std::max({audit.largest, std::abs(audit.work), 1e-300}));
+    if (before <= large_energy_growth && audit.growth > large_energy_growth)
+      log.line("  WARNING: there is " + number(100. * audit.growth, 2) +
+               " % more energy than what was put in; steps are too long for "
+               "what happens in them");
+    audit.forces = forces;
+    audit.u      = u;
   }
 
 

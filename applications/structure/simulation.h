@@ -155,6 +155,10 @@ namespace Structure
     void
     audit_energy(const double energy);
 
+    /// Of the springs of all interfaces [J].
+    double
+    contact_energy() const;
+
     /// Begin it, where nothing does work that is not known: no tool is moved,
     /// no fluid pushes, no treatment takes overlaps away.
     void
@@ -179,11 +183,10 @@ namespace Structure
     unsigned int cut_backs_of_step = 0;
     /// The step was solved on coarser meshes: rate leads to its end.
     bool goes_again = false;
-    /// See audit_energy(); of this run, from its first step on.
+    /// See audit_energy(); of this run, from its start or restart on.
     struct EnergyAudit
     {
-      bool     is_possible = false; ///< See begin_audit().
-      bool     has_begun   = false;
+      bool     is_possible = false;   ///< See begin_audit().
       double   start = 0., work = 0.; ///< Energy then, work since [J].
       double   largest = 0.;          ///< Energy so far [J].
       double   growth  = 0.;          ///< Over it, largest so far [-].
