@@ -73,10 +73,7 @@ namespace
                     steel,
                     ", load",
                     "Degree = 2") +
-              condition("load",
-                        "Body = outer|Boundary ids = 3|Type = pressure|"
-                        "Pressure = " +
-                          num(modulus) + "*(5e5 + 5e4*cos(2*atan2(y, x)))") +
+              cosine_load(modulus) +
               interface("fit",
                         "Stiffness scale = 200|Secondary offset = " +
                           num(length * 2e-3) +
@@ -214,9 +211,7 @@ TEST(ExtremeScales, RigidRings)
                      is_inner ? soft : stiff,
                      ", load",
                      "Degree = 2") +
-               condition("load",
-                         "Body = outer|Boundary ids = 3|Type = pressure|"
-                         "Pressure = 5e5 + 5e4*cos(2*atan2(y, x))") +
+               cosine_load() +
                interface("fit",
                          "Stiffness = 1e9|Characteristic length = 0.05|"
                          "Stiffness scale = 200|Secondary offset = 2e-3|"

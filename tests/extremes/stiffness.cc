@@ -180,9 +180,7 @@ TEST(ExtremeStiffness, NearlyIncompressibleRing)
           "Inner radius = 0.6|Outer radius = 1|Cells = 48, 16",
           linear_steel("1e9", "0.2"),
           ", load") +
-    condition("load",
-              "Body = outer|Boundary ids = 3|Type = pressure|"
-                "Pressure = 5e5 + 5e4*cos(2*atan2(y, x))") +
+    cosine_load() +
     interface("fit",
               "Stiffness = 1e9|Characteristic length = 0.05|Stiffness "
                 "scale = 200|Secondary offset = 2e-3|"

@@ -17,8 +17,7 @@ LLVMFuzzerInitialize(int *argc, char ***argv)
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_t size)
 {
-  const char       *shared = std::getenv("FUZZ_FOLDER");
-  const std::string folder = shared ? shared : ".";
+  const std::string folder = Fuzz::folder();
   std::filesystem::create_directories(folder + "/checkpoint");
   (void)Fuzz::file_of(data, size, "checkpoint/state");
   Fuzz::read_or_refuse(

@@ -15,14 +15,21 @@
 
 namespace Fuzz
 {
-  /// The bytes as a file in memory.
+  /// Where the files go.
+  inline std::string
+  folder()
+  {
+    const char *given = std::getenv("FUZZ_FOLDER");
+    return given ? given : ".";
+  }
+
+  /// The bytes as a file.
   inline std::string
   file_of(const std::uint8_t *data,
           const std::size_t   size,
           const std::string  &name)
   {
-    const char       *shared = std::getenv("FUZZ_FOLDER");
-    const std::string file   = std::string(shared ? shared : ".") + "/" + name;
+    const std::string file = folder() + "/" + name;
     std::ofstream(file, std::ios::binary)
       .write(reinterpret_cast<const char *>(data), size);
     return file;

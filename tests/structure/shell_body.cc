@@ -39,6 +39,30 @@ namespace
     p.contact_modulus = 1000.;
     return p;
   }
+  /// A load's tangent against central differences of its forces, in a bent
+  /// state.
+  void
+  expect_derivative(ShellBody &shell, const unsigned int cell, Load<3> &load)
+  {
+    const unsigned int n = shell.n_dofs_per_cell(cell);
+    Vector<double>     u(n), forces(n), plus(n), minus(n);
+    FullMatrix<double> K(n, n), none;
+    for (unsigned int i = 0; i < n; ++i)
+      u(i) = 0.2 * std::sin(1. + 5. * i);
+    shell.add_load(cell, load, u, 0., forces, K);
+    const double h = 1e-6;
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        Vector<double> a = u, b = u;
+        a(i) += h;
+        b(i) -= h;
+        plus = minus = 0.;
+        shell.add_load(cell, load, a, 0., plus, none);
+        shell.add_load(cell, load, b, 0., minus, none);
+        for (unsigned int j = 0; j < n; ++j)
+          EXPECT_NEAR(-(plus(j) - minus(j)) / (2. * h), K(j, i), 1e-8);
+      }
+  }
 } // namespace
 
 
@@ -58,28 +82,14 @@ TEST(ShellElementBody, FollowerPressureHasItsDerivativeAndPushesTheTop)
       for (unsigned int cell = 0; cell < shell.n_local_cells(); ++cell)
         {
           const unsigned int n = shell.n_dofs_per_cell(cell);
-          Vector<double>     u(n), at_rest(n), plus(n), minus(n), forces(n);
-          FullMatrix<double> K(n, n), none;
+          Vector<double>     u(n), at_rest(n);
+          FullMatrix<double> none;
           shell.add_load(cell, load, u, 0., at_rest, none);
           double down = 0.;
           for (unsigned int a = 0; a < n; a += 6)
             down += at_rest(a + 2);
           EXPECT_LT(down, 0.);
-          for (unsigned int i = 0; i < n; ++i)
-            u(i) = 0.2 * std::sin(1. + 5. * i);
-          shell.add_load(cell, load, u, 0., forces, K);
-          const double h = 1e-6;
-          for (unsigned int i = 0; i < n; ++i)
-            {
-              Vector<double> a = u, b = u;
-              a(i) += h;
-              b(i) -= h;
-              plus = minus = 0.;
-              shell.add_load(cell, load, a, 0., plus, none);
-              shell.add_load(cell, load, b, 0., minus, none);
-              for (unsigned int j = 0; j < n; ++j)
-                EXPECT_NEAR(-(plus(j) - minus(j)) / (2. * h), K(j, i), 1e-8);
-            }
+          expect_derivative(shell, cell, load);
         }
     }
 }
@@ -104,8 +114,8 @@ TEST(ShellElementBody, MomentOnAnEdgeHasItsDerivativeAndItsCouple)
                                  "Moment");
     }
   const unsigned int n = shell.n_dofs_per_cell(0);
-  Vector<double>     u(n), forces(n), plus(n), minus(n), at_rest(n);
-  FullMatrix<double> K(n, n), none;
+  Vector<double>     u(n), at_rest(n);
+  FullMatrix<double> none;
   shell.add_load(0, load, u, 0., at_rest, none);
   // at rest, with d = D: the couple sum of D x f is the moment less its part
   // along D, times the edge's length
@@ -125,21 +135,7 @@ TEST(ShellElementBody, MomentOnAnEdgeHasItsDerivativeAndItsCouple)
   // the directors of the edge differ from their mean by a tenth
   EXPECT_LT((couple - length * (m - (m * normal) * normal)).norm(),
             0.2 * m.norm());
-  for (unsigned int i = 0; i < n; ++i)
-    u(i) = 0.2 * std::sin(1. + 5. * i);
-  shell.add_load(0, load, u, 0., forces, K);
-  const double h = 1e-6;
-  for (unsigned int i = 0; i < n; ++i)
-    {
-      Vector<double> a = u, b = u;
-      a(i) += h;
-      b(i) -= h;
-      plus = minus = 0.;
-      shell.add_load(0, load, a, 0., plus, none);
-      shell.add_load(0, load, b, 0., minus, none);
-      for (unsigned int j = 0; j < n; ++j)
-        EXPECT_NEAR(-(plus(j) - minus(j)) / (2. * h), K(j, i), 1e-8);
-    }
+  expect_derivative(shell, 0, load);
 }
 
 

@@ -65,6 +65,16 @@ namespace Test
              "Secondary = inner: boundary 3|Primary = outer: boundary 2|Law = linear");
   }
 
+  /// The load of A4, a twentieth of it, in any unit of pressure.
+  inline std::string
+  cosine_load(const double modulus = 1.)
+  {
+    return condition("load",
+                     "Body = outer|Boundary ids = 3|Type = pressure|"
+                     "Pressure = " +
+                       num(modulus) + "*(5e5 + 5e4*cos(2*atan2(y, x)))");
+  }
+
   inline std::string
   linear_steel(const std::string &E, const std::string &nu)
   {

@@ -24,9 +24,7 @@ TEST(Curved, RingsUnderCosinePressure)
                  linear_steel("1e9", "0.2"),
                  ", load",
                  "Degree = 2") +
-           condition("load",
-                     "Body = outer|Boundary ids = 3|Type = pressure|"
-                     "Pressure = 5e5 + 5e4*cos(2*atan2(y, x))") +
+           cosine_load() +
            interface("fit",
                      "Stiffness scale = 2000|Secondary offset = 2e-3|"
                      "Initial penetration = ignore|Initial pressure = 1") +
