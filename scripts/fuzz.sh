@@ -23,8 +23,9 @@ compile() { # SOURCE OBJECT
   clang++-14 $flags "-I$root/applications" -std=c++17 -O1 -w \
     -fsanitize=fuzzer-no-link,address -c "$1" -o "$2"
 }
-readers=(structure/scene structure/suggestion structure/checkpoint geometry/mesh_maker
-  geometry/mesh_parameters geometry/shell_file geometry/surface_reader)
+readers=(structure/scene structure/scene_source structure/suggestion structure/checkpoint
+  geometry/mesh_maker geometry/mesh_parameters geometry/gmsh_check geometry/shell_file
+  geometry/surface_reader)
 targets=(parameters meshes checkpoints)
 made=() compilers=()
 for reader in "${readers[@]}"; do

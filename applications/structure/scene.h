@@ -9,6 +9,7 @@
 #include "newton.h"
 #include "refinement.h"
 #include "rigid_parameters.h"
+#include "scene_source.h"
 
 #include <mortar_contact/parameters/contact_parameters.h>
 
@@ -96,16 +97,6 @@ namespace Structure
     OutputParameters                 output;
   };
 
-  /// Where a scene's text comes from, as the command line says.
-  struct SceneSource
-  {
-    std::string              file;
-    std::vector<std::string> settings; ///< "Section/Sub section/Entry=value"
-    std::string              driver;   ///< Must be the file's 'Driver'.
-    /// Of the entries as used, those only that differ from their defaults.
-    bool only_changed = false;
-  };
-
   /**
    * Read a scene of contact_scene: a first pass over the names of bodies,
    * conditions, interfaces and probes, a second, strict one over everything.
@@ -129,17 +120,6 @@ namespace Structure
   /// Check names that refer to each other, and make file names absolute.
   void
   check_scene(Scene &scene);
-
-  /// What was parsed from @p source, in the form of a parameter file.
-  std::string
-  used_entries(const ParameterHandler &prm, const SceneSource &source);
-
-  /// Parse the text of @p source into @p prm: the file, then the settings.
-  /// @param skip_undefined First pass: leave undeclared entries alone.
-  void
-  parse(ParameterHandler  &prm,
-        const SceneSource &source,
-        const bool         skip_undefined);
 
   /// Parse "body: boundary 1, 2; other".
   std::vector<PartSelection>
