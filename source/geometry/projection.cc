@@ -8,11 +8,11 @@ namespace MortarContact
   namespace
   {
     /// Newton steps allowed; a bilinear map needs about five.
-    constexpr unsigned int max_newton_steps = 30;
+    constexpr unsigned int max_projection_steps = 30;
 
     /// Newton has converged when xi moves less than this (reference units):
     /// the step after it would be of the size of its square.
-    constexpr double newton_tolerance = 1e-9;
+    constexpr double projection_tolerance = 1e-9;
 
     /// A map is degenerate where |det J| is below this times |J|^(dim-1).
     constexpr double degenerate = 1e-12;
@@ -31,7 +31,7 @@ namespace MortarContact
     const bool      affine = (n_vertices != 4);
     PlanePoint<dim> xi     = reference_centre<dim>(n_vertices);
 
-    for (unsigned int step = 0; step < max_newton_steps; ++step)
+    for (unsigned int step = 0; step < max_projection_steps; ++step)
       {
         const auto      N        = shape_values<dim>(n_vertices, xi);
         PlanePoint<dim> residual = y;
@@ -48,7 +48,7 @@ namespace MortarContact
 
         const PlanePoint<dim> dxi = invert(J) * residual;
         xi += dxi;
-        if (affine || dxi.norm() < newton_tolerance)
+        if (affine || dxi.norm() < projection_tolerance)
           return xi;
         if (!(xi.norm() < far_away))
           return {};

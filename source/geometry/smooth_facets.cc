@@ -13,11 +13,11 @@ namespace MortarContact
   namespace
   {
     /// Newton steps for a quadratic patch; about four are needed.
-    constexpr unsigned int max_newton_steps = 20;
+    constexpr unsigned int max_patch_steps = 20;
 
     /// Newton has converged when eta moves less: the next step would be of the
     /// size of its square.
-    constexpr double newton_tolerance = 1e-9;
+    constexpr double patch_tolerance = 1e-9;
 
     /// Points may miss a patch by this, so that none falls between two.
     constexpr double between_patches = 1e-9;
@@ -27,7 +27,7 @@ namespace MortarContact
     constexpr double bulge = 0.25;
 
     /// Normals closer than this to each other, as 1 - cos^2, give no bulge.
-    constexpr double parallel = 1e-12;
+    constexpr double parallel_tangents = 1e-12;
 
     /// Nagata's curvature vector of the edge @p d between two normals.
     template <int dim>
@@ -38,7 +38,7 @@ namespace MortarContact
     {
       const double a   = n0 * n1;
       const double det = 1. - a * a;
-      if (det < parallel)
+      if (det < parallel_tangents)
         return Tensor<1, dim>();
       const double b0 = n0 * d, b1 = -(n1 * d);
       return ((b0 - a * b1) * n0 + (b1 - a * b0) * n1) / det;
@@ -199,7 +199,7 @@ namespace MortarContact
         SurfacePoint<dim> at;
         double            d         = 0.;
         bool              converged = false;
-        for (unsigned int step = 0; step < max_newton_steps; ++step)
+        for (unsigned int step = 0; step < max_patch_steps; ++step)
           {
             at.x = p.constant;
             for (unsigned int b = 0; b < T; ++b)
@@ -229,7 +229,7 @@ namespace MortarContact
                 size = std::max(size, std::abs(move[b]));
               }
             d += move[T];
-            converged = size < newton_tolerance;
+            converged = size < patch_tolerance;
             if (!(eta.norm() < 10.))
               break;
           }

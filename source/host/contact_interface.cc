@@ -214,7 +214,9 @@ namespace MortarContact
     AssertThrow(Utilities::MPI::sum(extracted[side].size(), communicator) > 0,
                 ExcMessage("Interface '" + name + "' has no " +
                            side_names[side] + " surface: call add_" +
-                           side_names[side] + "() before setup()."));
+                           side_names[side] +
+                           "() before setup(), which takes what was added "
+                           "since the one before."));
     SurfaceStiffness stiffness;
     stiffness.modulus = parameters.modulus;
     stiffness.length  = parameters.explicit_length();
@@ -313,7 +315,8 @@ namespace MortarContact
       surfaces[1] = ContactSurface<dim>();
     for (auto &surface : surfaces)
       surface.move([](const auto) { return 0.; });
-    if (parameters.kind == ContactParameters::Kind::forming_surface_to_surface)
+    if (!rigid_bodies.empty() && !is_single && !obstacle &&
+        !parameters.has_ties())
       check_tool_normals();
     for (auto &facets : extracted)
       facets.clear();
@@ -391,7 +394,10 @@ namespace MortarContact
         AssertThrow(initial.tied_area > 0.,
                     ExcMessage("Interface '" + name +
                                "': nothing is tied; no part of the secondary "
-                               "lies within 'Tie tolerance' of the primary."));
+                               "lies within 'Tie tolerance', " +
+                               std::to_string(parameters.tie.tolerance) +
+                               ", of the primary (0: 5 % of each facet's "
+                               "diameter)."));
         exclude_tied_facets();
       }
     detect_initial_penetrations();
@@ -473,6 +479,11 @@ namespace MortarContact
     partitioner->template export_to_ghosted_array<double>(
       ArrayView<const double>(owned_values.data(), owned_values.size()),
       ArrayView<double>(values.data(), values.size()));
+    const bool is_wrong =
+      std::any_of(values.begin(), values.end(), [](const double v) {
+        return !std::isfinite(v);
+      });
+    is_finite = !Utilities::MPI::logical_or(is_wrong, communicator);
   }
 
 
@@ -536,6 +547,17 @@ namespace MortarContact
   void
   ContactInterface<dim>::commit(const double time)
   {
+    // contact of these would be lost without a trace
+    AssertThrow(is_finite &&
+                  (last_report.n_too_deep == 0 ||
+                   parameters.release != ContactParameters::Release::cut_back),
+                ExcMessage("commit() of a state that advice() refuses: " +
+                           advice().reason));
+    AssertThrow(time == last_time,
+                ExcMessage("Interface '" + name + "': commit() at time " +
+                           std::to_string(time) +
+                           ", but the last update() was at " +
+                           std::to_string(last_time) + "."));
     unsigned int n_released = 0;
     for (const auto &sweep : sweeps)
       {

@@ -233,6 +233,13 @@ namespace MortarContact
         r.force[c]  = sums[10 + c];
         r.moment[c] = sums[13 + c];
       }
+    // the pairs of a single surface have no common side
+    if (parameters.kind == ContactParameters::Kind::automatic_single_surface)
+      {
+        r.force_on = r.parts[0].name;
+        r.force    = r.parts[0].force;
+        r.moment   = r.parts[0].moment;
+      }
     r.largest_penetration  = maxima[0];
     r.relative_penetration = maxima[1];
     r.smallest_gap         = -maxima[2];
@@ -289,7 +296,13 @@ namespace MortarContact
   ContactInterface<dim>::advice() const
   {
     StepAdvice advice;
-    if (largest_tool_step < 1.)
+    if (!is_finite)
+      {
+        advice.accept = false;
+        advice.reason = "interface '" + name +
+                        "': displacements are not numbers, or infinite";
+      }
+    else if (largest_tool_step < 1.)
       {
         std::ostringstream reason;
         reason << "interface '" << name

@@ -3,6 +3,7 @@
 // What ContactInterface does about rigid bodies.
 
 #include <mortar_contact/host/contact_interface.h>
+#include <mortar_contact/search/material_locator.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -18,6 +19,9 @@ namespace MortarContact
   ContactInterface<dim>::add_rigid(const unsigned int                     side,
                                    const std::shared_ptr<RigidBody<dim>> &body)
   {
+    AssertThrow(body != nullptr,
+                ExcMessage("Interface '" + name +
+                           "': there is no rigid body to add."));
     begin_adding();
     rigid_bodies.push_back(body);
     if (body->surface)
@@ -83,10 +87,14 @@ namespace MortarContact
   ContactInterface<dim>::check_tool_normals()
   {
     // Angles this close to tangential say nothing, as a cosine.
-    constexpr double          judged  = 0.3;
-    InitialReport            &initial = last_report.initial;
-    ContactSurface<dim>      &tool    = surfaces[1];
-    std::vector<unsigned int> wrong;
+    constexpr double            judged  = 0.3;
+    InitialReport              &initial = last_report.initial;
+    ContactSurface<dim>        &tool    = surfaces[1];
+    std::vector<unsigned int>   wrong;
+    std::vector<Tensor<1, dim>> centres;
+    for (const auto &s : surfaces[0].skin.facets)
+      centres.push_back(centre(s.current));
+    const PointLocator<dim> blank(centres);
     for (unsigned int p = 0; p < tool.skin.facets.size(); ++p)
       {
         if (!tool.vertex(p, 0).row.empty())
@@ -94,19 +102,10 @@ namespace MortarContact
         // it must face the nearest facet of the blank
         const Facet<dim>    &facet   = tool.skin.facets[p].current;
         const Tensor<1, dim> c       = centre(facet);
-        const Facet<dim>    *blank   = nullptr;
-        double               nearest = std::numeric_limits<double>::max();
-        for (const auto &s : surfaces[0].skin.facets)
-          {
-            const double d = (centre(s.current) - c).norm_square();
-            if (d < nearest)
-              {
-                nearest = d;
-                blank   = &s.current;
-              }
-          }
-        const Tensor<1, dim> w = centre_normal(facet);
-        const Tensor<1, dim> n = centre_normal(*blank);
+        const Tensor<1, dim> w       = centre_normal(facet);
+        const auto           nearest = blank.find(c, diameter(facet));
+        const Tensor<1, dim> n =
+          centre_normal(surfaces[0].skin.facets[*nearest].current);
         if (w * n > judged * w.norm() * n.norm())
           wrong.push_back(p);
       }
@@ -152,6 +151,11 @@ namespace MortarContact
     if (wrong.empty())
       return;
 
+    if (parameters.kind != ContactParameters::Kind::forming_surface_to_surface)
+      {
+        initial.n_facing_away = wrong.size();
+        return;
+      }
     if (parameters.tool_normals == ContactParameters::ToolNormals::check)
       {
         std::ostringstream message;

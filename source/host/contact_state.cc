@@ -83,24 +83,38 @@ namespace MortarContact
   void
   ContactInterface<dim>::load_at_fetched(std::istream &in)
   {
-    boost::archive::binary_iarchive  archive(in);
     unsigned int                     n        = 0;
     bool                             has_ties = false;
     std::vector<SurfaceHistory<dim>> histories;
     TiesHistory<dim>                 ties;
-    archive >> n >> has_ties >> last_report.n_released >>
-      last_report.n_augmentations_total >> committed_time >> dissipation;
-    AssertThrow(n == sweeps.size() && has_ties == (tie_sweep != nullptr),
-                ExcMessage("The saved state belongs to an interface of another "
-                           "kind than '" +
-                           name + "'."));
-    histories.resize(n);
-    for (auto &history : histories)
-      archive >> history;
-    for (const auto &body : rigid_bodies)
-      archive >> *body;
-    if (has_ties)
-      archive >> ties;
+    try
+      {
+        boost::archive::binary_iarchive archive(in);
+        archive >> n >> has_ties >> last_report.n_released >>
+          last_report.n_augmentations_total >> committed_time >> dissipation;
+        AssertThrow(n == sweeps.size() && has_ties == (tie_sweep != nullptr),
+                    ExcMessage("The saved state belongs to an interface of "
+                               "another kind than '" +
+                               name + "'."));
+        histories.resize(n);
+        for (auto &history : histories)
+          archive >> history;
+        for (const auto &body : rigid_bodies)
+          archive >> *body;
+        if (has_ties)
+          archive >> ties;
+      }
+    catch (const ExceptionBase &)
+      {
+        throw;
+      }
+    catch (const std::exception &)
+      {
+        AssertThrow(false,
+                    ExcMessage("Interface '" + name +
+                               "': this is no state that save() wrote, or not "
+                               "all of it."));
+      }
 
     // everything where it was accepted
     place_rigid_bodies(committed_time);

@@ -165,6 +165,14 @@ namespace MortarContact
             continue;
 
           const FiniteElement<dim> &fe = cell->get_fe();
+          AssertThrow(first_component + dim <= fe.n_components(),
+                      ExcMessage("The displacements of '" + part +
+                                 "' are the components " +
+                                 std::to_string(first_component) + " to " +
+                                 std::to_string(first_component + dim - 1) +
+                                 ", but its element " + fe.get_name() +
+                                 " has " + std::to_string(fe.n_components()) +
+                                 "."));
           const FiniteElement<dim> &scalar =
             fe.base_element(fe.component_to_base_index(first_component).first);
           const auto key     = std::make_pair(cell->active_fe_index(), face);

@@ -28,9 +28,12 @@ namespace MortarContact
       if (known == name)
         return std::make_unique<PaperLaw>(
           curve, scale, stiffening, largest_penetration, 0.03, barrier);
+    std::string all;
+    for (const auto &[known, curve] : pressure_laws())
+      all += (all.empty() ? "'" : ", '") + known + "'";
     AssertThrow(false,
                 dealii::ExcMessage("There is no pressure law called '" + name +
-                                   "'."));
+                                   "'; expected one of " + all + "."));
     return nullptr;
   }
 } // namespace MortarContact

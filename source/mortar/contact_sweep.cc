@@ -601,7 +601,12 @@ namespace MortarContact
   ContactSweep<dim>::detect_initial(const InitialTreatment &treatment)
   {
     // Penetrations beyond what is treated must be found to be reported.
-    constexpr double      look_deeper = 2.;
+    constexpr double look_deeper = 2.;
+    // So many facets deep, where nothing of the same surface can be meant: a
+    // smooth body knows what is inside; between two surfaces it is only told.
+    const double          facets_deep = (obstacle != nullptr)    ? 20. :
+                                        (&secondary != &primary) ? 5. :
+                                                                   0.;
     std::vector<Box<dim>> boxes;
     for (const auto &p : primary.facets)
       boxes.push_back(box_around(p.current));
@@ -622,13 +627,14 @@ namespace MortarContact
         const unsigned int       n     = facet.current.n_vertices;
         const double             l     = longest(f);
         // at least as deep as contact will act
-        const double range =
+        const double near_range =
           std::max(kernel.options.ceiling * l,
                    look_deeper * ((treatment.deepest > 0.) ?
                                     treatment.deepest :
                                     treatment.largest_share * l));
         const SecondaryFrame<dim> frame(facet.current);
-        Box<dim>                  box = box_around(facet.current);
+        const double range = std::max(near_range, facets_deep * far_of(frame));
+        Box<dim>     box   = box_around(facet.current);
         for (unsigned int a = 0; a < n; ++a)
           for (const double by : {-range, l})
             extend(box, Tensor<1, dim>(facet.current.x[a] + by * frame.normal));
@@ -645,42 +651,51 @@ namespace MortarContact
         if (near.empty())
           continue;
 
-        // Step 2: how deep?
-        const FacetDepths           depths  = depths_of(f, near, range);
-        const std::optional<Depth> &deepest = depths.deepest;
-        if (!deepest || !(deepest->depth > 0.))
+        // Step 2: how deep? Where nothing is seen, look deeper, to tell.
+        FacetDepths depths     = depths_of(f, near, near_range);
+        const auto  penetrates = [&]() {
+          return depths.deepest && depths.deepest->depth > 0.;
+        };
+        const bool is_out_of_sight = !penetrates();
+        if (is_out_of_sight)
+          depths = depths_of(f, near, range);
+        if (!penetrates())
           continue;
+        const Depth &deepest = *depths.deepest;
 
         // Step 3: too deep to be treated?
         const double limit =
           (treatment.deepest > 0.) ?
             treatment.deepest :
-            treatment.largest_share * deepest->stiffness.length;
+            treatment.largest_share * deepest.stiffness.length;
         // Contact of a facet that is open elsewhere is not given up for its
         // corners, where a treatment takes the force off them.
-        if (deepest->depth > limit &&
-            !(depths.of_corners_only && treatment.store &&
-              treatment.deepest == 0.))
+        if (is_out_of_sight || (deepest.depth > limit &&
+                                !(depths.of_corners_only && treatment.store &&
+                                  treatment.deepest == 0.)))
           {
             ++findings.n_too_deep;
-            if (deepest->depth > findings.too_deep)
+            if (deepest.depth > findings.too_deep)
               {
-                findings.too_deep          = deepest->depth;
-                findings.too_deep_length   = deepest->stiffness.length;
+                findings.too_deep          = deepest.depth;
+                findings.too_deep_length   = deepest.stiffness.length;
                 findings.too_deep_facet    = f;
                 findings.too_deep_position = depths.position;
               }
-            if (history.released.empty())
-              history.released.resize(owned.size(), false);
-            history.released[o] = true;
+            if (!is_out_of_sight || obstacle != nullptr)
+              {
+                if (history.released.empty())
+                  history.released.resize(owned.size(), false);
+                history.released[o] = true;
+              }
             continue;
           }
 
         ++findings.n_facets;
-        if (deepest->depth > findings.depth)
+        if (deepest.depth > findings.depth)
           {
-            findings.depth    = deepest->depth;
-            findings.length   = deepest->stiffness.length;
+            findings.depth    = deepest.depth;
+            findings.length   = deepest.stiffness.length;
             findings.facet    = f;
             findings.position = depths.position;
           }
@@ -841,13 +856,21 @@ namespace MortarContact
     if (history.level.empty() && history.released.empty() && released.empty())
       return;
 
+    // A facet has opened when nothing presses on it any more. Levels are
+    // bilinear, depths of curved surfaces are not: at rest some points press
+    // and others are open, and levels that followed those would creep.
+    std::vector<char> presses(owned.size(), 0);
+    for (const ActivePair &pair : active)
+      presses[std::lower_bound(owned.begin(), owned.end(), pair.secondary) -
+              owned.begin()] = 1;
+
     unsigned int next = 0;
     for (unsigned int o = 0; o < owned.size(); ++o)
       {
         const unsigned int        f    = owned[o];
         std::vector<unsigned int> near = candidates_of(o, next);
 
-        const bool follows = track && !history.level.empty();
+        const bool follows = track && !history.level.empty() && !presses[o];
         if (!follows && !is_released(o))
           continue;
 

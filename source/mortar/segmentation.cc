@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <mortar_contact/mortar/pair_block.h>
 #include <mortar_contact/mortar/segmentation.h>
 
 #include <cmath>
 
 namespace MortarContact
 {
+  using namespace PairAlgebra;
+
   namespace
   {
     /// Two lines count as parallel where the sine of their angle is below this;
@@ -14,16 +17,6 @@ namespace MortarContact
     /// A corner of the overlap is a thin tip where the sine of its outer angle
     /// is below this.
     constexpr double thin_tip = 0.05;
-
-    template <std::size_t n>
-    void
-    add(const double                 factor,
-        const std::array<double, n> &v,
-        std::array<double, n>       &sum)
-    {
-      for (std::size_t i = 0; i < n; ++i)
-        sum[i] += factor * v[i];
-    }
 
     /// Twice the area of a triangle, and its derivatives by the corners.
     double

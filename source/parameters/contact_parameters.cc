@@ -273,6 +273,45 @@ namespace MortarContact
   void
   ContactParameters::check() const
   {
+    // what patterns say of a file's entries, for hosts without one
+    const auto expect = [](const bool         ok,
+                           const std::string &name,
+                           const double       value,
+                           const char        *expected) {
+      AssertThrow(ok,
+                  ExcMessage("'" + name + "' is " + std::to_string(value) +
+                             "; expected " + expected + "."));
+    };
+    const auto positive = [&](const std::string &name, const double value) {
+      expect(value > 0. && std::isfinite(value),
+             name,
+             value,
+             "a positive number");
+    };
+    const auto not_negative = [&](const std::string &name, const double value) {
+      expect(value >= 0. && std::isfinite(value), name, value, "0 or more");
+    };
+    positive("Stiffness scale", stiffness_scale);
+    positive("Penalty factor", penalty_factor);
+    positive("Thickness scale", thickness_scale);
+    expect(progressive_stiffening >= 1. &&
+             std::isfinite(progressive_stiffening),
+           "Progressive stiffening",
+           progressive_stiffening,
+           "1 or more");
+    not_negative("Largest penetration", largest_penetration);
+    not_negative("Thickness", thickness);
+    not_negative("Friction coefficient", friction.coefficient);
+    not_negative("Elastic slip", friction.elastic_slip);
+    expect(augmentation.most > 0,
+           "Largest number of augmentations",
+           augmentation.most,
+           "1 or more");
+    AssertThrow(stiffness_side == "automatic" || stiffness_side == "series" ||
+                  stiffness_side == "secondary",
+                ExcMessage("'Stiffness side' is '" + stiffness_side +
+                           "'; expected automatic, series or secondary."));
+
     const std::string treatment =
       "'Initial penetration' is '" + to_string(initial_penetration) + "'";
     const bool removes = initial_penetration == InitialPenetration::remove ||

@@ -25,7 +25,8 @@ namespace MortarContact
     std::ostringstream out;
     out.precision(4);
     out << "'" << name << "': " << active_pairs << " pairs, force "
-        << force.norm() << ", penetration " << largest_penetration << " ("
+        << (force_on.empty() ? "" : "on '" + force_on + "' ") << force.norm()
+        << ", penetration " << largest_penetration << " ("
         << 100. * relative_penetration << " % of release)";
     if (slip_area > 0.)
       out << ", " << 100. * slip_area / active_area << " % slips";
@@ -65,6 +66,11 @@ namespace MortarContact
             << initial.highest_length[s] << "\n";
     if (initial.n_turned > 0)
       out << "  " << initial.n_turned << " tool facets turned over\n";
+    if (initial.n_facing_away > 0)
+      out << "  WARNING: " << initial.n_facing_away
+          << " facets of rigid surfaces point away from the secondary, which "
+             "passes them unseen; turn them in the mesh, or give the rigid "
+             "body a 'Thickness'\n";
     if (initial.secondary_area > 0.)
       {
         out << "  tied: " << 100. * initial.tied_area / initial.secondary_area

@@ -5,10 +5,12 @@
 
 #include <mortar_contact/mortar_contact.h>
 
+#include <deal.II/base/function.h>
 #include <deal.II/base/utilities.h>
 
 #include <deal.II/distributed/shared_tria.h>
 
+#include <deal.II/dofs/dof_renumbering.h>
 #include <deal.II/dofs/dof_tools.h>
 
 #include <deal.II/fe/fe_q.h>
@@ -25,8 +27,14 @@
 #include <deal.II/lac/trilinos_vector.h>
 #include <deal.II/lac/vector.h>
 
+#include <deal.II/numerics/vector_tools.h>
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <random>
 #include <sstream>
 
 using namespace dealii;
@@ -39,9 +47,11 @@ namespace
   template <int dim>
   struct TwoBlocks
   {
+    /// @param shuffled Vertices, cells and dofs in a random order (one rank).
     explicit TwoBlocks(const double       overlap,
-                       const unsigned int degree = 1,
-                       const bool         curved = false)
+                       const unsigned int degree   = 1,
+                       const bool         curved   = false,
+                       const bool         shuffled = false)
       : tria(MPI_COMM_WORLD,
              Triangulation<dim>::none,
              false,
@@ -86,9 +96,38 @@ namespace
             return q;
           },
           both);
+      if (shuffled)
+        shuffle(both);
       tria.copy_triangulation(both);
       dof_handler.distribute_dofs(fe);
+      if (shuffled)
+        DoFRenumbering::random(dof_handler);
       constraints.close();
+    }
+
+    static void
+    shuffle(Triangulation<dim> &mesh)
+    {
+      std::mt19937 random(7);
+      auto [vertices, cells, boundary] =
+        GridTools::get_coarse_mesh_description(mesh);
+      std::vector<unsigned int> place(vertices.size());
+      std::iota(place.begin(), place.end(), 0u);
+      std::shuffle(place.begin(), place.end(), random);
+      std::vector<Point<dim>> moved(vertices.size());
+      for (unsigned int v = 0; v < vertices.size(); ++v)
+        moved[place[v]] = vertices[v];
+      const auto renumber = [&](auto &objects) {
+        for (auto &object : objects)
+          for (auto &v : object.vertices)
+            v = place[v];
+      };
+      renumber(cells);
+      renumber(boundary.boundary_lines);
+      renumber(boundary.boundary_quads);
+      std::shuffle(cells.begin(), cells.end(), random);
+      mesh.clear();
+      mesh.create_triangulation(moved, cells, boundary);
     }
 
     void
@@ -166,6 +205,58 @@ TEST(ContactInterface, SidesMayBeSwapped)
   EXPECT_LT((a.force + b.force).norm(), 1e-12 * a.force.norm());
   EXPECT_LT((a.moment + b.moment).norm(), 1e-12 * a.moment.norm());
   EXPECT_NEAR(a.largest_penetration, b.largest_penetration, 1e-14);
+}
+
+
+TEST(ContactInterface, NumberingDoesNotMatter)
+{
+  if (Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+    GTEST_SKIP() << "dofs in a random order on one rank";
+  // work of the contact forces and of their tangent in smooth motions, after a
+  // smooth slip: no number of a vertex, a cell or a dof is in it
+  const auto works = [](const bool shuffled) {
+    TwoBlocks<3>      blocks(0.02, 1, true, shuffled);
+    ContactParameters p;
+    p.friction.coefficient  = 0.05;
+    p.friction.elastic_slip = 1e-6;
+    ContactInterface<3> contact("i", p, MPI_COMM_WORLD);
+    blocks.add_to(contact);
+    const auto motion = [&](const double size, const double phase) {
+      std::vector<std::function<double(const Point<3> &)>> components;
+      for (unsigned int i = 0; i < 3; ++i)
+        components.emplace_back([=](const Point<3> &x) {
+          return size * std::sin(phase + 2. * i + x * Point<3>(1., 2., 3.));
+        });
+      Vector<double> v(blocks.dof_handler.n_dofs());
+      VectorTools::interpolate(blocks.mapping,
+                               blocks.dof_handler,
+                               FunctionFromFunctionObjects<3>(components),
+                               v);
+      return v;
+    };
+    contact.update(motion(1e-3, 0.), 0.);
+    contact.commit(0.);
+    contact.update(motion(2e-3, 1.), 1.);
+    DynamicSparsityPattern dsp(blocks.dof_handler.n_dofs());
+    contact.add_couplings(dsp, blocks.constraints);
+    SparsityPattern pattern;
+    pattern.copy_from(dsp);
+    SparseMatrix<double> matrix(pattern);
+    Vector<double>       forces(dsp.n_rows());
+    contact.assemble(matrix, forces, blocks.constraints);
+    const Vector<double> v = motion(1., 2.), w = motion(1., 3.);
+    return std::vector<double>{forces * v,
+                               forces * w,
+                               matrix.matrix_scalar_product(v, w),
+                               matrix.matrix_scalar_product(w, v),
+                               contact.report().slip_area};
+  };
+  const auto in_order = works(false), shuffled = works(true);
+  for (unsigned int i = 0; i < in_order.size(); ++i)
+    {
+      EXPECT_GT(std::abs(in_order[i]), 0.);
+      EXPECT_NEAR(shuffled[i], in_order[i], 1e-11 * std::abs(in_order[i]));
+    }
 }
 
 
@@ -521,6 +612,80 @@ TEST(ContactInterface, UnusableInputIsRefusedInWords)
 }
 
 
+// What a host may forget: each is refused, in all build types.
+TEST(ContactInterface, MistakesOfHostsAreRefusedInWords)
+{
+  TwoBlocks<3>        blocks(0.02);
+  ContactInterface<3> early("i", {}, MPI_COMM_WORLD);
+  EXPECT_THROW(early.update(blocks.vector()), ExcMessage);
+  const auto modulus = [](const auto &) { return 1000.; };
+  early.add_secondary(blocks.dof_handler,
+                      blocks.mapping,
+                      boundary_ids({10}),
+                      modulus);
+  early.add_primary(blocks.dof_handler,
+                    blocks.mapping,
+                    boundary_ids({20}),
+                    modulus);
+  EXPECT_THROW(early.update(blocks.vector()), ExcMessage);
+  EXPECT_THROW(early.add_primary(blocks.dof_handler,
+                                 blocks.mapping,
+                                 boundary_ids({20}),
+                                 modulus,
+                                 "b",
+                                 {},
+                                 1),
+               ExcMessage);
+
+  ContactInterface<3> contact("i", {}, MPI_COMM_WORLD);
+  blocks.add_to(contact);
+  const auto u = blocks.vector();
+  // no couplings, no tangent
+  TrilinosWrappers::SparseMatrix matrix;
+  auto                           rhs = blocks.vector();
+  contact.update(u, 1.);
+  EXPECT_THROW(contact.assemble(matrix, rhs, blocks.constraints), ExcMessage);
+  DynamicSparsityPattern dsp(u.size());
+  contact.add_couplings(dsp, blocks.constraints);
+  contact.update(u, 1., false);
+  EXPECT_THROW(contact.assemble(matrix, rhs, blocks.constraints), ExcMessage);
+  // another time; a vector of another mesh; no numbers
+  EXPECT_THROW(contact.commit(2.), ExcMessage);
+  EXPECT_THROW(contact.update(TrilinosWrappers::MPI::Vector(
+                 complete_index_set(12), MPI_COMM_SELF)),
+               ExcMessage);
+  auto none = blocks.vector();
+  for (const auto i : none.locally_owned_elements())
+    none(i) = std::numeric_limits<double>::quiet_NaN();
+  none.compress(VectorOperation::insert);
+  contact.update(none, 1.);
+  EXPECT_FALSE(contact.advice().accept);
+  EXPECT_THROW(contact.commit(1.), ExcMessage);
+  contact.update(u, 1.);
+  EXPECT_NO_THROW(contact.commit(1.));
+  std::stringstream garbage("nothing of the kind");
+  EXPECT_THROW(contact.load(garbage, u), ExcMessage);
+
+  // numbers that no file could hold
+  const auto refused = [](const auto &set) {
+    ContactParameters p;
+    set(p);
+    EXPECT_THROW(p.check(), ExcMessage);
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  refused([](auto &p) { p.stiffness_scale = -1.; });
+  refused([&](auto &p) { p.stiffness_scale = nan; });
+  refused([](auto &p) { p.penalty_factor = 0.; });
+  refused([](auto &p) { p.progressive_stiffening = 0.5; });
+  refused([](auto &p) { p.largest_penetration = -1.; });
+  refused([](auto &p) { p.friction.coefficient = -0.2; });
+  refused([&](auto &p) { p.friction.coefficient = nan; });
+  refused([](auto &p) { p.friction.elastic_slip = -1.; });
+  refused([](auto &p) { p.stiffness_side = "primary"; });
+  refused([](auto &p) { p.augmentation.most = 0; });
+}
+
+
 namespace
 {
   /// Displacements of block 1 by a vector.
@@ -722,6 +887,17 @@ TEST(ContactInterface, RigidBodiesWithFacetsAndSmoothOnesPressAlike)
   };
   wrong.add_primary(sheet);
   EXPECT_THROW(wrong.setup(), ExcMessage);
+  {
+    // automatic contact says that the blank will pass
+    ContactInterface<3> automatic("automatic", {}, MPI_COMM_WORLD);
+    automatic.add_secondary(
+      blocks.dof_handler, blocks.mapping, boundary_ids({10}), modulus, "a");
+    automatic.add_primary(sheet);
+    automatic.setup();
+    EXPECT_EQ(automatic.report().initial.n_facing_away, 1u);
+    EXPECT_NE(automatic.report().initial_text().find("WARNING"),
+              std::string::npos);
+  }
   p.tool_normals = ContactParameters::ToolNormals::turn;
   ContactInterface<3> mended("mended", p, MPI_COMM_WORLD);
   mended.add_secondary(
@@ -761,6 +937,10 @@ TEST(ContactInterface, SingleSurfaceIsTheSameAsTwoSurfaces)
   EXPECT_NEAR(one.report().parts[0].force[2],
               two.report().parts[0].force[2],
               1e-10 * std::abs(two.report().force[2]));
+  EXPECT_NEAR(std::abs(one.report().force[2]),
+              std::abs(two.report().force[2]),
+              1e-10 * std::abs(two.report().force[2]));
+  EXPECT_EQ(one.report().force_on, "a");
   EXPECT_LT(one.check_tangent(blocks.vector()), 1e-6);
 
   // all faces of two convex blocks far apart, as one part

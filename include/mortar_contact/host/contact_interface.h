@@ -36,11 +36,14 @@ namespace MortarContact
    *
    * Life: add_secondary(), add_primary(), setup(); then for each Newton iterate
    * update(), add_couplings() where report().couplings_changed, assemble();
-   * then commit() or rollback(). The *secondary* is the side that carries the
-   * integration points (LS-DYNA: SURFA, slave); points are projected onto the
-   * *primary* (SURFB, master).
+   * then commit() or rollback(). setup() takes what was added since the one
+   * before: on a new mesh, or after dofs are numbered anew, add all surfaces
+   * and set up again (save() and load() carry the history over). The
+   * *secondary* is the side that carries the integration points (LS-DYNA:
+   * SURFA, slave); points are projected onto the *primary* (SURFB, master).
    *
    * All functions are collective over the communicator. Nothing is printed.
+   * In 2d forces, energies and areas are per unit of thickness.
    * Vectors and matrices may be deal.II's own or those of Trilinos or PETSc;
    * vectors that are read need their locally owned entries only.
    */
@@ -133,8 +136,11 @@ namespace MortarContact
     relevant_dofs(const types::global_dof_index n_dofs) const;
 
     /**
-     * Evaluate contact at the displacements @p u.
-     * @param time For treatments that remove penetrations over time [s].
+     * Evaluate contact at the displacements @p u from the undeformed mesh, in
+     * every Newton iteration.
+     * @param time At the end of the step [s]: places rigid bodies, gives slip
+     *             its rate and removes initial penetrations. The same as of
+     *             commit().
      * @param with_tangent Whether assemble() will want the matrix.
      */
     template <class VectorType>
@@ -149,7 +155,8 @@ namespace MortarContact
     add_couplings(SparsityType                    &sparsity,
                   const AffineConstraints<double> &constraints);
 
-    /// matrix += tangent, rhs += contact forces (minus the residual).
+    /// matrix += tangent, rhs += contact forces (minus the residual). Neither
+    /// is compressed. @throw ExcMessage if couplings are missing.
     template <class MatrixType, class VectorType>
     void
     assemble(MatrixType                      &matrix,
@@ -192,7 +199,8 @@ namespace MortarContact
     StepAdvice
     advice() const;
 
-    /// Accept the last update() as the state at the end of a step.
+    /// Accept the last update() as the state at the end of a step, at its time.
+    /// @throw ExcMessage where advice() refuses it.
     void
     commit(const double time);
 
@@ -228,7 +236,9 @@ namespace MortarContact
      * Largest difference between the tangent and central differences of the
      * contact forces at @p u, over the largest tangent entry, in @p n_samples
      * directions. For tests and for users of laws of their own; exact tangents
-     * ('Tangent = exact') give about 1e-8.
+     * give about 1e-8, symmetric ones do not. The forces have kinks where edges
+     * of the two surfaces lie on each other, and between stick and slip, as
+     * after the commit() of a sliding state: there it is large.
      */
     template <class VectorType>
     double
@@ -261,6 +271,7 @@ namespace MortarContact
     const ContactSurface<dim> &
     surface(const unsigned int side) const
     {
+      AssertIndexRange(side, 2);
       return surfaces[side];
     }
 
@@ -275,6 +286,7 @@ namespace MortarContact
     const ContactSweep<dim> &
     sweep(const unsigned int i) const
     {
+      AssertIndexRange(i, sweeps.size());
       return *sweeps[i];
     }
 
@@ -350,7 +362,9 @@ namespace MortarContact
     void
     build_surface(const unsigned int side);
 
-    /// Forming contact: the rigid facets of the primary point to the secondary.
+    /// The rigid facets of the primary must point to the secondary: forming
+    /// contact turns or refuses those that do not, automatic contact counts
+    /// them.
     void
     check_tool_normals();
 
@@ -490,8 +504,10 @@ namespace MortarContact
     std::unique_ptr<TieSweep<dim>>                  tie_sweep;
     ContactReport                                   last_report;
     bool                                            pattern_is_current = false;
-    bool   is_augmented      = true; ///< Penetrations are below the tolerance.
-    double largest_tool_step = 1.;   ///< See check_motion_of_tools().
+    bool   has_tangent       = false; ///< Of the last update().
+    bool   is_finite         = true;  ///< So are all values fetched.
+    bool   is_augmented      = true;  ///< Penetrations are below the tolerance.
+    double largest_tool_step = 1.;    ///< See check_motion_of_tools().
     std::vector<std::string>  part_names;
     std::vector<unsigned int> part_of_facet[2];
     unsigned int              part_of_obstacle = 0;

@@ -14,6 +14,16 @@ namespace MortarContact
   void
   ContactInterface<dim>::fetch(const VectorType &u)
   {
+    AssertThrow(is_set_up,
+                ExcMessage("Interface '" + name +
+                           "': call setup() after the surfaces are added."));
+    AssertThrow(dofs.empty() || dofs.back() < u.size(),
+                ExcMessage("Interface '" + name + "': the vector has " +
+                           std::to_string(u.size()) +
+                           " entries, the surfaces have dof " +
+                           std::to_string(dofs.back()) +
+                           "; after dofs are numbered anew, add the surfaces "
+                           "again."));
     const IndexSet      owned = u.locally_owned_elements();
     std::vector<double> owned_values;
     owned_values.reserve(owned.n_elements());
@@ -31,15 +41,20 @@ namespace MortarContact
                                 const bool        with_tangent)
   {
     fetch(u);
-    if (time == committed_time)
-      committed_values = values;
-    else if (time != last_time)
-      check_motion_of_tools(time);
-    place_rigid_bodies(time);
+    // surfaces that are nowhere stay where they were: see advice()
+    if (is_finite)
+      {
+        if (time == committed_time)
+          committed_values = values;
+        else if (time != last_time)
+          check_motion_of_tools(time);
+        place_rigid_bodies(time);
+        for (auto &surface : surfaces)
+          surface.move([&](const auto dof) { return value(dof); });
+      }
     last_time = time;
-    for (auto &surface : surfaces)
-      surface.move([&](const auto dof) { return value(dof); });
     evaluate(time, with_tangent);
+    has_tangent = with_tangent;
   }
 
 
@@ -73,8 +88,13 @@ namespace MortarContact
     VectorType                      &rhs,
     const AffineConstraints<double> &constraints) const
   {
-    Assert(pattern_is_current,
-           ExcMessage("Pairs have come since the last add_couplings()."));
+    AssertThrow(pattern_is_current,
+                ExcMessage("Interface '" + name +
+                           "': pairs have come since the last "
+                           "add_couplings(), see report().couplings_changed."));
+    AssertThrow(has_tangent,
+                ExcMessage("Interface '" + name +
+                           "': the last update() was without tangent."));
     std::vector<types::global_dof_index> pair_dofs;
     Vector<double>                       forces;
     FullMatrix<double>                   tangent;

@@ -69,7 +69,10 @@ namespace MortarContact
     /// Facets of the sides.
     unsigned int n_side_facets[2] = {0, 0};
     /// Tool facets that were turned over to point to the blank.
-    unsigned int n_turned         = 0;
+    unsigned int n_turned = 0;
+    /// Rigid facets of open surfaces that point away from the other side, in
+    /// automatic contact: it passes them unseen.
+    unsigned int n_facing_away    = 0;
     double       secondary_area   = 0.; ///< With ties only [m^2],
     double       tied_area        = 0.; ///< and what of it is tied [m^2].
     double       largest_tied_gap = 0.; ///< [m]
@@ -79,7 +82,9 @@ namespace MortarContact
 
   /**
    * State of one interface, summed over all ranks. Forces act on the secondary
-   * body. Two-sided interfaces count pairs of both sweeps, and areas once.
+   * body; those of a single surface on its first part (nothing, where it meets
+   * itself only). Two-sided interfaces count pairs of both sweeps, and areas
+   * once.
    */
   struct ContactReport
   {
@@ -94,23 +99,24 @@ namespace MortarContact
     unsigned int beyond_pairs     = 0; ///< Points behind the other surface.
     unsigned int degenerate_pairs = 0; ///< Facets without a usable shape.
 
-    double active_area          = 0.; ///< Undeformed [m^2]
-    double slip_area            = 0.; ///< Of it, sliding [m^2]
-    double dissipation          = 0.; ///< By friction, since setup() [J]
-    double elastic_slip         = 0.; ///< Largest of present points [m]
-    double whole_tied_area      = 0.; ///< Ties without damage [m^2]
-    double failed_tied_area     = 0.; ///< Ties that failed [m^2]
-    double damage_dissipation   = 0.; ///< By ties, since setup() [J]
-    double largest_tie_jump     = 0.; ///< Of ties that hold [m]
-    double energy               = 0.; ///< In the contact springs [J]
-    double largest_penetration  = 0.; ///< [m]
-    double largest_pressure     = 0.; ///< Per undeformed area [Pa]
-    double relative_penetration = 0.; ///< Largest, over the release depth.
-    double mean_penetration     = 0.; ///< Over the active area [m]
-    double largest_overlap      = 0.; ///< Of the meshes, see PairBlock [m]
-    double smallest_gap         = std::numeric_limits<double>::max(); ///< [m]
-    Tensor<1, 3> force;  ///< Resultant [N]
-    Tensor<1, 3> moment; ///< About the origin [N m]
+    double      active_area          = 0.; ///< Undeformed [m^2]
+    double      slip_area            = 0.; ///< Of it, sliding [m^2]
+    double      dissipation          = 0.; ///< By friction, since setup() [J]
+    double      elastic_slip         = 0.; ///< Largest of present points [m]
+    double      whole_tied_area      = 0.; ///< Ties without damage [m^2]
+    double      failed_tied_area     = 0.; ///< Ties that failed [m^2]
+    double      damage_dissipation   = 0.; ///< By ties, since setup() [J]
+    double      largest_tie_jump     = 0.; ///< Of ties that hold [m]
+    double      energy               = 0.; ///< In the contact springs [J]
+    double      largest_penetration  = 0.; ///< [m]
+    double      largest_pressure     = 0.; ///< Per undeformed area [Pa]
+    double      relative_penetration = 0.; ///< Largest, over the release depth.
+    double      mean_penetration     = 0.; ///< Over the active area [m]
+    double      largest_overlap      = 0.; ///< Of the meshes, see PairBlock [m]
+    double      smallest_gap = std::numeric_limits<double>::max(); ///< [m]
+    std::string force_on; ///< Single surface: part that force acts on.
+    Tensor<1, 3> force;   ///< Resultant [N]
+    Tensor<1, 3> moment;  ///< About the origin [N m]
 
     /// Contact force on one part, and its moment about the origin.
     struct Part
