@@ -2,6 +2,7 @@
 #include "mesh_maker.h"
 
 #include "../structure/expression.h"
+#include "abaqus_solid.h"
 #include "gmsh_check.h"
 #include "map_manifold.h"
 #include "structured_mesh.h"
@@ -153,7 +154,7 @@ namespace Structure
     }
 
     template <int dim, int spacedim>
-    void
+    MeshParts
     read_file(const MeshParameters &m, Triangulation<dim, spacedim> &mesh)
     {
       std::ifstream in(m.file);
@@ -163,14 +164,20 @@ namespace Structure
       const std::string ending = m.file.substr(m.file.find_last_of('.') + 1);
       if (ending == "msh")
         check_gmsh(m.file);
+      if constexpr (dim == spacedim)
+        if (ending == "inp")
+          return read_abaqus_solid(m.file, mesh);
+      AssertThrow(ending != "k" && ending != "key" && ending != "dyn",
+                  ExcMessage("'Mesh/File' is '" + m.file +
+                             "': keyword files of LS-DYNA are not read; "
+                             "expected the mesh as gmsh (.msh), Abaqus (.inp) "
+                             "or VTK (.vtk) file."));
       GridIn<dim, spacedim> reader;
       reader.attach_triangulation(mesh);
       try
         {
           if (ending == "msh")
             reader.read_msh(in);
-          else if (ending == "inp")
-            reader.read_abaqus(in);
           else if (ending == "vtk")
             reader.read_vtk(in);
           else
@@ -186,6 +193,7 @@ namespace Structure
                         ": gmsh (.msh, ASCII 2 or 4), Abaqus (.inp) or "
                         "VTK (.vtk)."));
         }
+      return ending == "msh" ? gmsh_parts(m.file, dim) : MeshParts();
     }
 
     /// 'Map' as a function.
@@ -285,9 +293,10 @@ namespace Structure
 
     /// The mesh with its own boundary ids, refined, turned and moved.
     template <int dim>
-    void
+    MeshParts
     make_in_place(const MeshParameters &m, Triangulation<dim> &mesh)
     {
+      MeshParts parts;
       // Step 1: the primitive.
       if (m.type == "box")
         {
@@ -345,7 +354,7 @@ namespace Structure
         }
       else
         {
-          read_file(m, mesh);
+          parts = read_file(m, mesh);
           GridTools::scale(m.scale, mesh);
         }
 
@@ -367,13 +376,13 @@ namespace Structure
       if (!m.map.empty())
         {
           map_into_place(m, mesh);
-          return;
+          return parts;
         }
 
       // Step 4: in its place, manifolds too: elements of degree 2 get their
       // middle nodes from them.
       if (m.rotation_angle == 0. && m.move.empty())
-        return;
+        return parts;
       mesh.reset_all_manifolds();
       const auto place = placement_of<dim>(m);
       GridTools::transform(place, mesh);
@@ -395,6 +404,7 @@ namespace Structure
           if (m.type == "cylinder")
             mesh.set_manifold(0, CylindricalManifold<3>(z, origin));
         }
+      return parts;
     }
 
     /// Boundary ids by place, after everything else.
@@ -428,26 +438,27 @@ namespace Structure
 
 
   template <int dim>
-  void
+  MeshParts
   make_mesh(const MeshParameters &m, Triangulation<dim> &mesh)
   {
     if constexpr (dim == 3)
       if (m.make_solid)
         {
           m.make_solid(mesh);
-          return;
+          return {};
         }
-    make_in_place(m, mesh);
+    const MeshParts parts = make_in_place(m, mesh);
     if (!m.boundary_ids.empty())
       set_boundary_ids(m, mesh);
+    return parts;
   }
 
 
 
-  ShellParts
+  MeshParts
   make_shell_mesh(const MeshParameters &m, Triangulation<2, 3> &mesh)
   {
-    ShellParts parts;
+    MeshParts parts;
     if (m.make_shell)
       {
         m.make_shell(mesh);
@@ -470,7 +481,7 @@ namespace Structure
         else
           read_file(m, mesh);
         if (ending == "msh")
-          parts = gmsh_parts(m.file);
+          parts = gmsh_parts(m.file, 2);
         GridTools::scale(m.scale, mesh);
         for (auto &thickness : parts.thickness)
           thickness.second *= m.scale;
@@ -583,8 +594,8 @@ namespace Structure
   }
 
 
-  template void
+  template MeshParts
   make_mesh(const MeshParameters &, Triangulation<2> &);
-  template void
+  template MeshParts
   make_mesh(const MeshParameters &, Triangulation<3> &);
 } // namespace Structure

@@ -9,9 +9,10 @@
 
 namespace Structure
 {
-  /// Make the mesh. @throw ExcMessage on settings that make no mesh.
+  /// Make the mesh. @return What a file says of its parts.
+  /// @throw ExcMessage on settings that make no mesh.
   template <int dim>
-  void
+  MeshParts
   make_mesh(const MeshParameters &parameters, Triangulation<dim> &mesh);
 
   /**
@@ -20,7 +21,7 @@ namespace Structure
    * without it the plane z = 0), or a file with surface elements.
    * @return What a file says of its parts.
    */
-  ShellParts
+  MeshParts
   make_shell_mesh(const MeshParameters &parameters, Triangulation<2, 3> &mesh);
 } // namespace Structure
 

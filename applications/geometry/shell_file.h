@@ -2,23 +2,15 @@
 #ifndef mortar_contact_applications_shell_file_h
 #define mortar_contact_applications_shell_file_h
 
-#include <deal.II/base/types.h>
+#include "mesh_parts.h"
 
 #include <deal.II/grid/tria.h>
 
-#include <map>
 #include <string>
 
 namespace Structure
 {
   using namespace dealii;
-
-  /// The parts of a shell's mesh: what its file says of them.
-  struct ShellParts
-  {
-    std::map<std::string, types::material_id> names;
-    std::map<types::material_id, double>      thickness; ///< [m]
-  };
 
   /**
    * Read the shell elements (S3, S4 and their kin, R3D3, R3D4) of an Abaqus
@@ -27,13 +19,13 @@ namespace Structure
    * They get the material ids 1, 2, ... in the order of the file.
    * @throw ExcMessage naming the file and the line.
    */
-  ShellParts
+  MeshParts
   read_abaqus_shell(const std::string &file, Triangulation<2, 3> &mesh);
 
-  /// The names that a gmsh file gives to its physical surfaces; their ids are
-  /// the material ids.
-  ShellParts
-  gmsh_parts(const std::string &file);
+  /// The names that a gmsh file gives to its physical groups of @p dim
+  /// dimensions (the parts) and of one less (the boundaries).
+  MeshParts
+  gmsh_parts(const std::string &file, const unsigned int dim);
 } // namespace Structure
 
 #endif

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "surface_reader.h"
 
+#include "abaqus_deck.h"
+
 #include <mortar_contact/host/rigid_body.h>
 
 #include <deal.II/base/exceptions.h>
@@ -8,6 +10,7 @@
 #include <deal.II/grid/grid_in.h>
 #include <deal.II/grid/tria.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
@@ -105,6 +108,35 @@ namespace Structure
                   facet[0] != facet[2])
                 facets.push_back(facet);
             }
+      }
+    else if (dim == 3 && ending == "inp")
+      {
+        // the order of the nodes, so the normals, is the file's
+        const AbaqusDeck deck = read_abaqus(file, AbaqusKind::shell);
+        std::map<unsigned long, unsigned int> vertex_of;
+        for (const auto &element : deck.elements)
+          {
+            std::vector<unsigned int> facet;
+            for (const unsigned long node : element.second)
+              {
+                const auto inserted =
+                  vertex_of.try_emplace(node, vertices.size());
+                if (inserted.second)
+                  {
+                    Tensor<1, dim> x;
+                    for (unsigned int i = 0; i < dim; ++i)
+                      x[i] = deck.nodes.at(node)[i];
+                    vertices.push_back(x);
+                  }
+                // triangles may be quadrilaterals with two equal nodes
+                if (std::find(facet.begin(),
+                              facet.end(),
+                              inserted.first->second) == facet.end())
+                  facet.push_back(inserted.first->second);
+              }
+            if (facet.size() >= 3)
+              facets.push_back(facet);
+          }
       }
     else
       try

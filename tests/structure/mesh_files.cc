@@ -114,6 +114,106 @@ TEST(MeshFiles, AbaqusHexahedron)
 }
 
 
+// Numbers of elements may be any, in any order: ids follow the names in their
+// order, faces lie where Abaqus' manual says.
+TEST(MeshFiles, AbaqusSolidsKeepTheirPartsAndSurfacesWhateverTheirNumbers)
+{
+  const auto deck = [](const std::string &low, const std::string &high) {
+    return "*HEADING\n*NODE\n"
+           "11, 0, 0, 0\n12, 1, 0, 0\n13, 1, 1, 0\n14, 0, 1, 0\n"
+           "21, 0, 0, 1\n22, 1, 0, 1\n23, 1, 1, 1\n24, 0, 1, 1\n"
+           "31, 0, 0, 2\n32, 1, 0, 2\n33, 1, 1, 2\n34, 0, 1, 2\n"
+           "99, 7, 7, 7\n"
+           "*ELEMENT, TYPE=C3D8R, ELSET=RUBBER\n" +
+           low +
+           ", 11, 12, 13, 14, 21, 22, 23, 24\n"
+           "*ELEMENT, TYPE=C3D8, ELSET=STEEL\n" +
+           high +
+           ", 21, 22, 23, 24, 31, 32, 33, 34\n"
+           "*ELSET, ELSET=UPPER\n" +
+           high +
+           "\n*SURFACE, NAME=TOP, TYPE=ELEMENT\nUPPER, S2\n"
+           "*SURFACE, NAME=RIGHT\n" +
+           low + ", S4\n" + high +
+           ", S4\n*SURFACE, NAME=POINTS, TYPE=NODE\n11, 1.\n"
+           "*SOLID SECTION, ELSET=STEEL, MATERIAL=A\n1.\n"
+           "*SOLID SECTION, ELSET=RUBBER, MATERIAL=B\n1.\n";
+  };
+  for (const auto &[low, high] :
+       {std::make_pair("1", "2"), std::make_pair("7001", "12")})
+    {
+      Triangulation<3> mesh;
+      std::ofstream("solid.inp") << deck(low, high);
+      MeshParameters parameters;
+      parameters.type       = "file";
+      parameters.file       = "solid.inp";
+      const MeshParts parts = make_mesh(parameters, mesh);
+      EXPECT_EQ(parts.names.at("STEEL"), 1u);
+      EXPECT_EQ(parts.names.at("RUBBER"), 2u);
+      EXPECT_EQ(parts.boundaries.at("TOP"), 1u);
+      EXPECT_EQ(parts.boundaries.at("RIGHT"), 2u);
+      EXPECT_NEAR(GridTools::volume(mesh), 2., 1e-13);
+      unsigned int n_top = 0, n_right = 0;
+      for (const auto &cell : mesh.active_cell_iterators())
+        {
+          EXPECT_EQ(cell->material_id(), cell->center()[2] < 1. ? 2u : 1u);
+          for (const auto &face : cell->face_iterators())
+            if (face->at_boundary())
+              {
+                n_top += face->boundary_id() == 1 &&
+                         std::abs(face->center()[2] - 2.) < 1e-12;
+                n_right += face->boundary_id() == 2 &&
+                           std::abs(face->center()[0] - 1.) < 1e-12;
+              }
+        }
+      EXPECT_EQ(n_top, 1u);
+      EXPECT_EQ(n_right, 2u);
+    }
+}
+
+
+// The faces of each type of element: S1, ... have the centres of their nodes.
+TEST(MeshFiles, AbaqusFacesOfSimplicesAndQuadrilaterals)
+{
+  const auto centre_of_face = [](const auto &mesh) {
+    for (const auto &cell : mesh.active_cell_iterators())
+      for (const auto &face : cell->face_iterators())
+        if (face->boundary_id() == 1)
+          return face->center();
+    return mesh.begin_active()->center();
+  };
+  {
+    const std::string nodes =
+      "*NODE\n1, 0, 0, 0\n2, 3, 0, 0\n3, 0, 3, 0\n4, 0, 0, 3\n"
+      "*ELEMENT, TYPE=C3D4\n5, 1, 2, 3, 4\n*SURFACE, NAME=S\n5, S";
+    const std::vector<Point<3>> centres = {{1, 1, 0},
+                                           {1, 0, 1},
+                                           {1, 1, 1},
+                                           {0, 1, 1}};
+    for (unsigned int f = 0; f < 4; ++f)
+      {
+        Triangulation<3> mesh;
+        read<3>("solid.inp", nodes + std::to_string(f + 1) + "\n", mesh);
+        EXPECT_LT(centre_of_face(mesh).distance(Point<3>(2. * centres[f])),
+                  1e-12);
+      }
+  }
+  {
+    const std::string nodes =
+      "*NODE\n1, 0, 0\n2, 2, 0\n3, 2, 2\n4, 0, 2\n"
+      "*ELEMENT, TYPE=CPE4H\n5, 1, 2, 3, 4\n*SURFACE, NAME=S\n5, S";
+    const std::vector<Point<2>> centres = {{1, 0}, {2, 1}, {1, 2}, {0, 1}};
+    for (unsigned int f = 0; f < 4; ++f)
+      {
+        Triangulation<2> mesh;
+        read<2>("solid.inp", nodes + std::to_string(f + 1) + "\n", mesh);
+        EXPECT_LT(centre_of_face(mesh).distance(Point<2>(2. * centres[f])),
+                  1e-12);
+      }
+  }
+}
+
+
 // A tetrahedron with outward facets: volume 1/6 by the divergence theorem.
 TEST(MeshFiles, SurfacesAreReadFromStlAndAbaqus)
 {
@@ -212,7 +312,7 @@ TEST(MeshFiles, AbaqusShellsHavePartsWithThickness)
   parameters.type = "file";
   parameters.file = "parts.inp";
   Triangulation<2, 3> mesh;
-  const ShellParts    parts = make_shell_mesh(parameters, mesh);
+  const MeshParts     parts = make_shell_mesh(parameters, mesh);
   EXPECT_EQ(mesh.n_active_cells(), 2u);
   EXPECT_EQ(mesh.n_used_vertices(), 6u);
   ASSERT_EQ(parts.names.size(), 2u);
@@ -267,7 +367,7 @@ TEST(MeshFiles, GmshShellsHaveNamedParts)
   parameters.type = "file";
   parameters.file = "parts.msh";
   Triangulation<2, 3> mesh;
-  const ShellParts    parts = make_shell_mesh(parameters, mesh);
+  const MeshParts     parts = make_shell_mesh(parameters, mesh);
   EXPECT_EQ(mesh.n_active_cells(), 2u);
   ASSERT_EQ(parts.names.size(), 2u);
   EXPECT_EQ(parts.names.at("outer panel"), 5u);
