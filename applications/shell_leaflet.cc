@@ -87,6 +87,9 @@ namespace
     prm.set("First step", 1e-3);
     prm.set("Largest step", 4e-3);
     prm.leave_subsection();
+    prm.enter_subsection("Output");
+    prm.set("Contact resolution", true);
+    prm.leave_subsection();
     prm.enter_subsection("Solver");
     prm.enter_subsection("Newton");
     // the force tolerance decides

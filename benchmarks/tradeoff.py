@@ -157,6 +157,9 @@ class RubberFit(Compared):
         super().__init__(
             "rubber_fit", "prm/rubber_fit.prm", "Contact", "fit", scale=20, length=0.5,
             linear=True)
+        # overlaps that are taken away over time and augmented take for ever
+        for name in [name for name in self.settings if name.startswith("Uzawa")]:
+            del self.settings[name]
 
     def value(self, summary, folder):
         c = self.contact(summary)

@@ -58,6 +58,22 @@ def surface_of(file):
     return polygons, values
 
 
+def cut(polygon, size):
+    """Pieces no longer than size: matplotlib hides by the order of centres."""
+    edges = np.linalg.norm(polygon - np.roll(polygon, -1, axis=0), axis=1)
+    if edges.max() <= size:
+        return [polygon]
+    middle = 0.5 * (polygon + np.roll(polygon, -1, axis=0))
+    centre = polygon.mean(axis=0)
+    if len(polygon) == 3:
+        pieces = [np.array([polygon[i], middle[i], middle[i - 1]]) for i in range(3)] + [middle]
+    else:
+        pieces = [
+            np.array([polygon[i], middle[i], centre, middle[i - 1]]) for i in range(len(polygon))
+        ]
+    return [q for piece in pieces for q in cut(piece, size)]
+
+
 def main():
     arguments = argparse.ArgumentParser()
     arguments.add_argument("folder")
@@ -89,16 +105,30 @@ def main():
         )
         axis.autoscale()
         axis.set_aspect("equal")
+        axis.set_xlabel("x")
+        axis.set_ylabel("y")
     else:
         axis = figure.add_subplot(1, 2, 1, projection="3d")
-        axis.add_collection3d(
-            Poly3DCollection(polygons, facecolors=colors, edgecolors="k", linewidths=0.1)
-        )
         low, high = everything.min(axis=0), everything.max(axis=0)
+        size = np.linalg.norm(high - low) / (30 if len(polygons) < 5000 else 3)
+        pieces = [cut(np.asarray(polygon), size) for polygon in polygons]
+        is_whole = sum(len(of_one) for of_one in pieces) == len(polygons)
+        colors = np.repeat(colors, [len(of_one) for of_one in pieces], axis=0)
+        axis.add_collection3d(
+            Poly3DCollection(
+                [piece for of_one in pieces for piece in of_one],
+                facecolors=colors,
+                edgecolors="k" if is_whole else colors,
+                linewidths=0.1,
+            )
+        )
         axis.set_xlim(low[0], high[0])
         axis.set_ylim(low[1], high[1])
         axis.set_zlim(low[2], high[2])
         axis.set_box_aspect(high - low)
+        axis.set_xlabel("x")
+        axis.set_ylabel("y")
+        axis.set_zlabel("z")
     figure.colorbar(
         plt.cm.ScalarMappable(norm=scale, cmap="viridis"), ax=axis, label="von Mises"
     )
@@ -111,13 +141,19 @@ def main():
         for key in rows[0]
         if "force_" in key or key.startswith("reaction:")
     }
+    shown = min(time, key=lambda t: abs(t - min(arguments.time, time[-1])))
+    figure.suptitle(f"time {shown:g}, displacements as they are", fontsize=10)
     round_off = 1e-9 * max(largest.values(), default=0.0)
     columns = arguments.columns or [key for key in largest if largest[key] > round_off]
     axis = figure.add_subplot(1, 2, 2)
     for column in columns:
-        axis.plot(time, [float(row[column]) for row in rows], ".-", label=column)
+        # reactions often lie on the forces that they balance
+        style = "--" if column.startswith("reaction:") else ".-"
+        axis.plot(time, [float(row[column]) for row in rows], style, label=column)
     axis.set_xlabel("time")
-    axis.legend(fontsize=7)
+    axis.set_ylabel("force, in the units of the scene")
+    if columns:
+        axis.legend(fontsize=7, loc="upper center", bbox_to_anchor=(0.5, -0.12), ncol=2)
     figure.tight_layout()
     figure.savefig(os.path.join(folder, "run.png"), dpi=110)
 

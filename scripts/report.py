@@ -26,7 +26,7 @@ img { max-width: 100% } pre { font-size: 12px; background: #f6f6f6; padding: 1em
 NOTES = re.compile(r"WARNING|NOTE:|ERROR|ACCURACY:|SPEED:|No convergence|Stopped")
 COLUMNS = {
     "force": "force on the secondary",
-    "largest_pressure": "largest pressure",
+    "largest_pressure": "largest pressure at a point, on the undeformed area",
     "largest_penetration": "largest penetration",
     "penetration_over_release": "over release",
     "penalty_share": "penalty's share of energy",

@@ -41,4 +41,20 @@ case " $* " in
     fi
     ;;
 esac
-exec mpirun -np "$ranks" "$root/build/$driver" "$@" "${pictures[@]}"
+# Colours for terminals only: the ranks write to one that mpirun makes.
+[ -t 1 ] || export NO_COLOR=1
+# Ctrl-C goes to this script, which asks the ranks to finish their step and save;
+# mpirun would end them within two seconds.
+set -m
+mpirun --quiet -np "$ranks" "$root/build/$driver" "$@" "${pictures[@]}" &
+run=$!
+trap 'echo "Stopping after this step (again: at once) ..." >&2
+  trap "kill -KILL $run" INT
+  kill -USR1 $run' INT TERM
+code=0
+wait $run || code=$?
+while kill -0 $run 2> /dev/null; do
+  code=0
+  wait $run || code=$?
+done
+exit $code

@@ -84,6 +84,19 @@ namespace Structure
                      "iterates to a 'Penetration tolerance'."));
       }
     for (const RunFigures::Interface &i : run.interfaces)
+      if (!i.has_touched && run.steps > 0)
+        {
+          std::ostringstream gap;
+          gap.precision(4);
+          gap << i.smallest_gap;
+          sentences.push_back(
+            "NOTE: '" + i.name + "' was never in contact" +
+            (i.smallest_gap < std::numeric_limits<double>::max() ?
+               "; its smallest gap is " + gap.str() + "." :
+               ": its surfaces never faced each other within reach. Are they "
+               "the right ones, does the motion go the right way?"));
+        }
+    for (const RunFigures::Interface &i : run.interfaces)
       if (i.integration_error > large_integration_error)
         {
           using Rule      = MortarContact::Integration::Rule;

@@ -23,6 +23,8 @@ namespace Structure
       /// See ContactInterface::integration_error().
       double integration_error;
       bool   is_on_obstacle; ///< Points on a smooth rigid surface.
+      bool   has_touched;    ///< In some step.
+      double smallest_gap;   ///< At the end [m]
     };
 
     std::vector<Interface> interfaces;

@@ -4,6 +4,7 @@
 
 #include "cell_batches.h"
 #include "expression.h"
+#include "mid_surfaces.h"
 
 #include <mortar_contact/host/contact_interface.h>
 
@@ -86,6 +87,10 @@ namespace Structure
 
     /// Dead load per undeformed volume, expressions of x, y, z, t; empty: none.
     std::string body_force;
+
+    /// Names that the mesh file gives to boundary and material ids, for the
+    /// log.
+    std::string names_in_file;
 
     /// Velocity at the start, expressions of x, y, z; empty: at rest.
     std::string initial_velocity;
@@ -278,6 +283,23 @@ namespace Structure
     add_to(MortarContact::ContactInterface<dim> &interface,
            const bool                            secondary,
            const MortarContact::FaceSelection   &faces) const = 0;
+
+    /// Shells: the triangles of the mid-surface, the same on all ranks; their
+    /// parts are material ids.
+    virtual std::vector<MidTriangle>
+    mid_surface() const
+    {
+      return {};
+    }
+
+    /// Shells: triangles of the outer surface moved out by @p offset, with
+    /// edges, seen counter-clockwise from outside; the same on all ranks.
+    /// @param u Displacements of all dofs of the model.
+    virtual std::vector<std::array<Point<dim>, 3>>
+    outer_surface(const Vector<double> & /*u*/, const double /*offset*/) const
+    {
+      return {};
+    }
 
     /// Values of the dofs of a local cell.
     using ValuesOfCell =

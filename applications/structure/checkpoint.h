@@ -33,13 +33,17 @@ namespace Structure
     std::vector<double> fluid;
     /// By interface, see ContactInterface::save().
     std::vector<std::string> interfaces;
+    std::vector<char>        has_touched; ///< By interface.
+    /// Start, work, largest, growth and error of the audit of the energy.
+    std::vector<double> energies;
 
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
       archive &parameters &time &next_step &step &cut_backs &newton_iterations
-        &linear_iterations &refinements &vectors &histories &fluid &interfaces;
+        &linear_iterations &refinements &vectors &histories &fluid &interfaces
+          &has_touched &energies;
     }
   };
 

@@ -241,6 +241,9 @@ namespace Structure
         AssertThrow(!source.file.empty(),
                     ExcMessage("No parameter file given; expected " +
                                driver.name + " FILE.prm. See --help."));
+        // a run goes on in its folder
+        if (output.empty())
+          output = restart;
         if (!output.empty())
           source.settings.push_back("Output/Directory=" + output);
         std::string used;

@@ -633,6 +633,19 @@ namespace Structure
         failure = f;
 
     add_concentrated_loads(time, with_tangent);
+    if (outside_forces)
+      {
+        Vector_t forces = make_vector();
+        outside_forces(u_ghosted, time, forces);
+        forces.compress(VectorOperation::add);
+        std::vector<types::global_dof_index> dofs;
+        owned.fill_index_vector(dofs);
+        Vector<double> values(dofs.size());
+        for (std::size_t k = 0; k < dofs.size(); ++k)
+          values(k) = forces(dofs[k]);
+        none.distribute_local_to_global(values, dofs, external);
+        constraints.distribute_local_to_global(values, dofs, rhs);
+      }
     if (fluid)
       {
         TimerOutput::Scope scope(timer, "assembly: fluid");

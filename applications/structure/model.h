@@ -52,6 +52,16 @@ namespace Structure
     /// Rigid bodies with free motions; before number_dofs().
     std::vector<RigidDofs<dim>> rigid_dofs;
 
+    /**
+     * Forces from another program, say a fluid solver: adds to the forces on
+     * owned dofs [N], with the displacements at the end of the step and its
+     * time. It is asked in each Newton iteration and gives no tangent. Nodes
+     * and their dofs: Body::visit_nodes(). Empty: none.
+     */
+    std::function<
+      void(const Vector_t &ghosted_u, const double time, Vector_t &forces)>
+      outside_forces;
+
     /// A fluid, in dynamic runs; before setup(). Null: none.
     std::unique_ptr<ValveFluid<dim>> fluid;
 

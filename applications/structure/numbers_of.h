@@ -18,6 +18,16 @@ namespace Structure
       dealii::Utilities::split_string_list(list));
   }
 
+  /// A number for people.
+  inline std::string
+  number(const double x, const int precision = 4)
+  {
+    std::ostringstream out;
+    out.precision(precision);
+    out << x;
+    return out.str();
+  }
+
   /// A number as part of a formula.
   inline std::string
   text_of(const double x)

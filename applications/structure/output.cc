@@ -29,6 +29,26 @@ namespace Structure
           return "\033[36m";
       return "";
     }
+
+    /// STL as text. A point is the same text wherever it stands.
+    template <int dim>
+    std::string
+    stl_of(const std::vector<std::array<Point<dim>, 3>> &triangles,
+           const std::string                            &name)
+    {
+      std::ostringstream out;
+      out.precision(12);
+      out << "solid " << name << '\n';
+      for (const auto &triangle : triangles)
+        {
+          out << "facet normal 0 0 0\nouter loop\n";
+          for (const Point<dim> &x : triangle)
+            out << "vertex " << x << '\n';
+          out << "endloop\nendfacet\n";
+        }
+      out << "endsolid " << name << '\n';
+      return out.str();
+    }
   } // namespace
 
 
@@ -53,6 +73,8 @@ namespace Structure
   {
     if (!is_root)
       return;
+    if (quiet && text.rfind("No convergence", 0) == 0)
+      std::cerr << text << std::endl;
     if (!quiet)
       {
         const char *colour = has_colour ? colour_of(text) : "";
@@ -64,8 +86,11 @@ namespace Structure
 
 
   template <int dim>
-  Output<dim>::Output(const std::string &directory, const MPI_Comm communicator)
+  Output<dim>::Output(const std::string &directory,
+                      const double       surface_offset,
+                      const MPI_Comm     communicator)
     : directory(directory)
+    , surface_offset(surface_offset)
     , communicator(communicator)
   {}
 
@@ -77,28 +102,35 @@ namespace Structure
     namespace fs = std::filesystem;
     std::string failure;
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
-      {
-        std::error_code error;
-        fs::create_directories(directory, error);
-        if (!fs::is_directory(directory))
-          failure = "this folder cannot be made";
-        else
-          {
-            for (const auto &entry : fs::directory_iterator(directory))
-              {
-                const std::string name = entry.path().filename();
-                const bool        ours =
-                  name == "history.csv" || name == "summary.json" ||
-                  name == "solution.pvd" || name == "contact.pvd" ||
-                  ((name.rfind("solution-", 0) == 0 ||
-                    name.rfind("contact-", 0) == 0) &&
-                   entry.path().extension() == ".vtu");
-                if (ours)
-                  fs::remove(entry.path());
-              }
-            fs::remove_all(directory + "/checkpoint");
-          }
-      }
+      try
+        {
+          std::error_code error;
+          fs::create_directories(directory, error);
+          if (!fs::is_directory(directory))
+            failure = "this folder cannot be made";
+          else
+            {
+              for (const auto &entry : fs::directory_iterator(directory))
+                {
+                  const std::string name = entry.path().filename();
+                  const bool        ours =
+                    name == "history.csv" || name == "summary.json" ||
+                    name == "solution.pvd" || name == "contact.pvd" ||
+                    (name.rfind("surface-", 0) == 0 &&
+                     entry.path().extension() == ".stl") ||
+                    ((name.rfind("solution-", 0) == 0 ||
+                      name.rfind("contact-", 0) == 0) &&
+                     entry.path().extension() == ".vtu");
+                  if (ours)
+                    fs::remove(entry.path());
+                }
+              fs::remove_all(directory + "/checkpoint");
+            }
+        }
+      catch (const fs::filesystem_error &e)
+        {
+          failure = "nothing can be written there (" + e.code().message() + ")";
+        }
     failure = Utilities::MPI::broadcast(communicator, failure);
     AssertThrow(failure.empty(),
                 ExcMessage("'Output/Directory' is '" + directory + "'; " +
@@ -229,11 +261,14 @@ namespace Structure
                       const double       time,
                       const unsigned int step)
   {
-    const auto file_name = [&](const std::string &kind, std::string of) {
+    const auto file_name = [&](const std::string &kind,
+                               std::string        of,
+                               const std::string &extension = ".vtu") {
       for (char &c : of)
         if (!std::isalnum(static_cast<unsigned char>(c)))
           c = '_';
-      return kind + "-" + of + "-" + Utilities::int_to_string(step, 4) + ".vtu";
+      return kind + "-" + of + "-" + Utilities::int_to_string(step, 4) +
+             extension;
     };
     const Vector_t                       ghosted = model.ghosted(u);
     Vector<double>                       values;
@@ -250,6 +285,17 @@ namespace Structure
           directory + "/" + name,
           communicator);
         solution_files.push_back({time, part++, name});
+      }
+    if (surface_offset >= 0.)
+      {
+        const Vector<double> all(u);
+        for (const auto &body : model.bodies)
+          {
+            const auto surface = body->outer_surface(all, surface_offset);
+            if (!surface.empty())
+              text_file(file_name("surface", body->name, ".stl"),
+                        stl_of(surface, body->name));
+          }
       }
     part = 0;
     for (const auto &interface : model.interfaces)

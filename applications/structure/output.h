@@ -42,7 +42,10 @@ namespace Structure
   class Output
   {
   public:
-    Output(const std::string &directory, const MPI_Comm communicator);
+    /// @param surface_offset Of the surfaces of shells [m]; negative: none.
+    Output(const std::string &directory,
+           const double       surface_offset,
+           const MPI_Comm     communicator);
 
     /// Prepare the folder for a new run: remove the files of an earlier one.
     void
@@ -71,6 +74,7 @@ namespace Structure
     const std::string directory;
 
   private:
+    const double   surface_offset;
     const MPI_Comm communicator;
     /// A line of a collection.
     struct DataSet

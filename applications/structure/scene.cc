@@ -444,9 +444,10 @@ namespace Structure
             AssertThrow(ok,
                         ExcMessage(
                           "'" + entry + "' is '" + text +
-                          "'; expected 'body', 'body: boundary 1, 2' "
-                          "or 'body: material 3', several separated by "
-                          "semicolons."));
+                          "'; expected 'body', 'body: boundary 1, 2', "
+                          "'body: material 3' or, of a shell, 'body: top', "
+                          "'body: bottom', 'body: edges', several separated "
+                          "by semicolons."));
           }
         parts.push_back(selection);
       }
@@ -514,6 +515,19 @@ namespace Structure
                       "5",
                       Patterns::Integer(0),
                       "Steps between checkpoints [-]; 0: at the end only.");
+    prm.declare_entry("Contact resolution",
+                      "false",
+                      Patterns::Bool(),
+                      "Print each step, and write to history.csv, how well "
+                      "contact is resolved: gaps, their jumps between facets, "
+                      "distance and crossings of shells' mid-surfaces, change "
+                      "in the last iteration.");
+    prm.declare_entry("Surface offset",
+                      "-1",
+                      Patterns::Double(),
+                      "Write the outer surfaces of shells, moved out by this, "
+                      "to closed STL files beside the VTU files [length]; "
+                      "negative: none.");
     prm.leave_subsection();
   }
 
@@ -551,6 +565,8 @@ namespace Structure
       scene.output.directory        = prm.get("Directory");
       scene.output.every            = prm.get_integer("Every");
       scene.output.checkpoint_every = prm.get_integer("Checkpoint every");
+      scene.output.has_resolution   = prm.get_bool("Contact resolution");
+      scene.output.surface_offset   = prm.get_double("Surface offset");
     });
   }
 
@@ -678,6 +694,22 @@ namespace Structure
                                "/Secondary' is empty; expected at least one "
                                "body."));
       }
+    for (const auto &i : scene.interfaces)
+      for (const auto &s : i.secondary)
+        for (const auto &p : i.primary)
+          {
+            const auto &a = s.faces, &b = p.faces;
+            AssertThrow(s.body != p.body || a.boundaries != b.boundaries ||
+                          a.materials != b.materials || a.top != b.top ||
+                          a.bottom != b.bottom || a.edges != b.edges,
+                        ExcMessage("'Contact/" + i.name +
+                                   "': 'Secondary' and 'Primary' both have "
+                                   "the same surface of '" +
+                                   s.body +
+                                   "'; expected two, or 'Kind = automatic "
+                                   "single surface' for a surface that meets "
+                                   "itself."));
+          }
     for (const auto &i : scene.interfaces)
       for (const auto &[parts, side] :
            {std::make_pair(&i.secondary, "Secondary"),

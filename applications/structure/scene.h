@@ -77,6 +77,9 @@ namespace Structure
     std::string  directory        = "output";
     unsigned int every            = 1; ///< Steps between VTU files; 0: last.
     unsigned int checkpoint_every = 5; ///< Steps; 0: at the end only.
+    bool         has_resolution   = false; ///< See ContactResolution.
+    /// Of the surface of shells that is written [m]; negative: none.
+    double                       surface_offset = -1.;
     std::vector<ProbeParameters> probes;
   };
 

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -124,6 +125,9 @@ namespace Structure
         const bool         skip_undefined)
   {
     std::ifstream in(source.file);
+    AssertThrow(!std::filesystem::is_directory(source.file),
+                ExcMessage("The parameter file '" + source.file +
+                           "' is a folder; expected a file."));
     AssertThrow(in,
                 ExcMessage("The parameter file '" + source.file +
                            "' cannot be opened."));

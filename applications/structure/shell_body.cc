@@ -30,6 +30,18 @@ namespace Structure
         return QGaussSimplex<2>(2);
       return QGauss<2>(2);
     }
+
+    /// Triangles of a cell, as numbers of its vertices, around its normal; a
+    /// quadrilateral is cut along the shorter diagonal.
+    std::vector<std::array<unsigned int, 3>>
+    triangles_of(const std::vector<Point<3>> &x)
+    {
+      if (x.size() == 3)
+        return {{{0, 1, 2}}};
+      if (x[0].distance(x[3]) < x[1].distance(x[2]))
+        return {{{0, 1, 3}}, {{0, 3, 2}}};
+      return {{{0, 1, 2}}, {{1, 3, 2}}};
+    }
   } // namespace
 
 
@@ -437,7 +449,7 @@ namespace Structure
         skin.thickness =
           *std::max_element(thickness_at.begin(), thickness_at.end());
         skin.thickness_at = [this](const unsigned int vertex) {
-          return thickness_at[vertex];
+          return skin_thickness(vertex);
         };
       }
     skin.modulus  = parameters.contact_modulus;
@@ -455,6 +467,90 @@ namespace Structure
       interface.add_secondary(dof_handler, chosen, skin, name, numbering);
     else
       interface.add_primary(dof_handler, chosen, skin, name, numbering);
+  }
+
+
+  std::vector<MidTriangle>
+  ShellBody::mid_surface() const
+  {
+    std::vector<MidTriangle> result;
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      {
+        const double thickness = section_of(cell->material_id()).thickness;
+        std::vector<Point<3>> x;
+        for (const unsigned int v : cell->vertex_indices())
+          x.push_back(cell->vertex(v));
+        for (const auto &corners : triangles_of(x))
+          {
+            MidTriangle triangle;
+            triangle.thickness = thickness;
+            triangle.part      = cell->material_id();
+            for (unsigned int a = 0; a < 3; ++a)
+              {
+                const BoundaryNode<3> node = node_of(cell, corners[a]);
+                triangle.dofs[a]           = node.dofs;
+                triangle.x[a]              = node.x;
+              }
+            result.push_back(triangle);
+          }
+      }
+    return result;
+  }
+
+
+  std::vector<std::array<Point<3>, 3>>
+  ShellBody::outer_surface(const Vector<double> &u, const double offset) const
+  {
+    std::vector<std::array<Point<3>, 3>> result;
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      {
+        // mid-surface, and from there to the top
+        std::vector<Point<3>>     x;
+        std::vector<Tensor<1, 3>> up;
+        for (const unsigned int v : cell->vertex_indices())
+          {
+            const BoundaryNode<3> node   = node_of(cell, v);
+            const unsigned int    vertex = cell->vertex_index(v);
+            Tensor<1, 3>          d      = directors[vertex];
+            x.push_back(node.x);
+            for (unsigned int i = 0; i < 3; ++i)
+              {
+                x[v][i] += u(node.dofs[i]);
+                d[i] += u(node.director_dofs[i]) / scale;
+              }
+            up.push_back((0.5 * skin_thickness(vertex) + offset / d.norm()) *
+                         d);
+          }
+        const bool is_turned = orientation[cell->active_cell_index()] < 0;
+        for (std::array<unsigned int, 3> corners : triangles_of(x))
+          {
+            if (is_turned)
+              std::swap(corners[1], corners[2]);
+            const auto [a, b, c] = corners;
+            result.push_back({{x[a] + up[a], x[b] + up[b], x[c] + up[c]}});
+            result.push_back({{x[a] - up[a], x[c] - up[c], x[b] - up[b]}});
+          }
+        // free edges: from the bottom to the top, in the order of the top's
+        const std::vector<unsigned int> ring =
+          x.size() == 4 ? std::vector<unsigned int>{0, 1, 3, 2} :
+                          std::vector<unsigned int>{0, 1, 2};
+        for (const auto &face : cell->face_iterators())
+          if (face->at_boundary())
+            for (unsigned int k = 0; k < ring.size(); ++k)
+              {
+                unsigned int a = ring[k], b = ring[(k + 1) % ring.size()];
+                const std::set<unsigned int> ends = {cell->vertex_index(a),
+                                                     cell->vertex_index(b)};
+                if (ends.count(face->vertex_index(0)) == 0 ||
+                    ends.count(face->vertex_index(1)) == 0)
+                  continue;
+                if (is_turned)
+                  std::swap(a, b);
+                result.push_back({{x[b] + up[b], x[a] + up[a], x[a] - up[a]}});
+                result.push_back({{x[b] + up[b], x[a] - up[a], x[b] - up[b]}});
+              }
+      }
+    return result;
   }
 
 

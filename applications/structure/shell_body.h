@@ -114,6 +114,12 @@ namespace Structure
            const bool                          secondary,
            const MortarContact::FaceSelection &faces) const override;
 
+    std::vector<MidTriangle>
+    mid_surface() const override;
+
+    std::vector<std::array<Point<3>, 3>>
+    outer_surface(const Vector<double> &u, const double offset) const override;
+
     void
     write(const ValuesOfCell &values_of_cell,
           const std::string  &file,
@@ -140,6 +146,14 @@ namespace Structure
                const double               time,
                Vector<double>            &forces,
                FullMatrix<double>        &tangent) const;
+
+    /// Thickness of the skin at a vertex.
+    double
+    skin_thickness(const unsigned int vertex) const
+    {
+      return thickness_at.empty() ? parameters.section.thickness :
+                                    thickness_at[vertex];
+    }
 
     /// Material and thickness of a cell.
     ShellSection

@@ -3,6 +3,7 @@
 
 #include "../geometry/mesh_maker.h"
 #include "advice.h"
+#include "numbers_of.h"
 #include "shell_body.h"
 #include "solid_body.h"
 #include "stop_signal.h"
@@ -24,14 +25,6 @@ namespace Structure
   namespace
   {
     std::string
-    number(const double x, const int precision = 4)
-    {
-      std::ostringstream out;
-      out << std::setprecision(precision) << x;
-      return out.str();
-    }
-
-    std::string
     duration(const double seconds)
     {
       std::ostringstream out;
@@ -45,11 +38,33 @@ namespace Structure
       return out.str();
     }
 
+    template <class Numbers>
+    std::string
+    list_of(const Numbers &numbers)
+    {
+      std::string text;
+      for (const auto n : numbers)
+        text += (text.empty() ? "" : ", ") + std::to_string(n);
+      return text;
+    }
+
+    /// Names of a mesh file's parts and boundaries, for the log.
+    std::string
+    names_of(const MeshParts &parts)
+    {
+      std::string text;
+      for (const auto &[name, id] : parts.names)
+        text += "; '" + name + "' is material " + std::to_string(id);
+      for (const auto &[name, id] : parts.boundaries)
+        text += "; '" + name + "' is boundary " + std::to_string(id);
+      return text;
+    }
+
     /// Thickness by material id: what the scene says, or the mesh file; empty
     /// where all cells have that of the scene.
     std::map<types::material_id, double>
     thicknesses_of(const BodyParameters      &b,
-                   const ShellParts          &parts,
+                   const MeshParts           &parts,
                    const Triangulation<2, 3> &mesh)
     {
       std::map<types::material_id, double> result;
@@ -100,7 +115,7 @@ namespace Structure
     , linear_solver(scene.linear, communicator)
     , used_parameters(used_parameters)
     , log(log)
-    , output(scene.output.directory, communicator)
+    , output(scene.output.directory, scene.output.surface_offset, communicator)
     , next_step(scene.steps.first)
   {}
 
@@ -125,6 +140,8 @@ namespace Structure
     std::vector<Vector_t *> vectors = kept_vectors();
     if (model.is_dynamic()) // computed anew it could differ in round-off
       vectors.push_back(&model.integration.F_n);
+    if (audit.is_possible)
+      vectors.push_back(&audit.forces);
     return vectors;
   }
 
@@ -133,19 +150,21 @@ namespace Structure
   std::unique_ptr<Body<dim>>
   Simulation<dim>::make_solid(const BodyParameters &b) const
   {
-    Triangulation<dim> mesh;
-    make_mesh<dim>(b.mesh, mesh);
+    Triangulation<dim>        mesh;
+    const MeshParts           parts    = make_mesh<dim>(b.mesh, mesh);
     std::unique_ptr<Material> material = b.material.make();
     const bool                mean_dilatation =
       b.mean_dilatation == "yes" ||
       (b.mean_dilatation == "automatic" && material->is_split() &&
        b.degree == 1 && mesh.all_reference_cells_are_hyper_cube());
-    return std::make_unique<SolidBody<dim>>(b.name,
-                                            mesh,
-                                            std::move(material),
-                                            b.degree,
-                                            mean_dilatation,
-                                            communicator);
+    auto solid           = std::make_unique<SolidBody<dim>>(b.name,
+                                                  mesh,
+                                                  std::move(material),
+                                                  b.degree,
+                                                  mean_dilatation,
+                                                  communicator);
+    solid->names_in_file = names_of(parts);
+    return solid;
   }
 
 
@@ -156,7 +175,7 @@ namespace Structure
     if constexpr (dim == 3)
       {
         Triangulation<2, 3>             mesh;
-        const ShellParts                parts = make_shell_mesh(b.mesh, mesh);
+        const MeshParts                 parts = make_shell_mesh(b.mesh, mesh);
         const std::unique_ptr<Material> material = b.material.make();
         ShellParameters                 shell;
         shell.section         = {b.material.youngs_modulus,
@@ -173,8 +192,10 @@ namespace Structure
         for (const BoundaryCondition &c : scene.conditions)
           if (c.body == b.name && c.type == BoundaryCondition::Type::symmetry)
             planes.emplace_back(c.boundaries, c.plane_normal);
-        return std::make_unique<ShellBody>(
+        auto body = std::make_unique<ShellBody>(
           b.name, mesh, shell, planes, communicator);
+        body->names_in_file = names_of(parts);
+        return body;
       }
     else
       {
@@ -215,14 +236,11 @@ namespace Structure
         const auto ids = model.body(c.body).boundary_ids();
         for (const auto id : c.boundaries)
           {
-            std::string known;
-            for (const auto k : ids)
-              known += (known.empty() ? "" : ", ") + std::to_string(k);
             AssertThrow(std::find(ids.begin(), ids.end(), id) != ids.end(),
                         ExcMessage("'Boundary conditions/" + c.name +
                                    "/Boundary ids' has " + std::to_string(id) +
                                    "; the mesh of '" + c.body + "' has " +
-                                   known + "."));
+                                   list_of(ids) + "."));
           }
       }
     model.conditions  = scene.conditions;
@@ -309,6 +327,32 @@ namespace Structure
         probe_dofs.push_back(
           model.body(p.body).nearest_node(point_of<dim>(p.point)).dofs);
       }
+    has_touched.resize(model.interfaces.size(), 0);
+    const std::array<std::string, 3> at_rest = {{"0", "0", "0"}};
+    audit.is_possible =
+      !model.fluid && !scene.refinement.is_on() && model.rigid_dofs.empty() &&
+      std::all_of(scene.bodies.begin(),
+                  scene.bodies.end(),
+                  [](const BodyParameters &b) {
+                    return b.material.hardening.yield_stress == 0.;
+                  }) &&
+      std::all_of(scene.rigid_bodies.begin(),
+                  scene.rigid_bodies.end(),
+                  [&](const RigidParameters &r) {
+                    return r.translation == at_rest &&
+                           r.rotation_angle == "0" && r.formula.empty();
+                  }) &&
+      std::all_of(scene.interfaces.begin(),
+                  scene.interfaces.end(),
+                  [](const InterfaceParameters &i) {
+                    return !i.contact.augmentation.is_on &&
+                           i.contact.removal_time == 0.;
+                  });
+    if (audit.is_possible)
+      audit.forces = model.make_vector();
+    resolution.reset();
+    if (scene.output.has_resolution)
+      resolution = std::make_unique<ContactResolution<dim>>(model);
   }
 
 
@@ -316,10 +360,43 @@ namespace Structure
   void
   Simulation<dim>::report_setup()
   {
-    for (const auto &b : model.bodies)
-      log.line("Body '" + b->name + "': " + std::to_string(b->n_cells()) +
-               " cells, " + std::to_string(b->n_dofs()) + " dofs" +
-               b->description());
+    for (unsigned int i = 0; i < model.bodies.size(); ++i)
+      {
+        const Body<dim> &b = *model.bodies[i];
+        log.line("Body '" + b.name + "': " + std::to_string(b.n_cells()) +
+                 " cells, " + std::to_string(b.n_dofs()) + " dofs" +
+                 b.description());
+        std::string place;
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            const auto range =
+              std::minmax_element(b.vertices().begin(),
+                                  b.vertices().end(),
+                                  [&](const auto &p, const auto &q) {
+                                    return p[d] < q[d];
+                                  });
+            place += std::string(d == 0 ? "  " : ", ") + "xyz"[d] + " from " +
+                     number((*range.first)[d]) + " to " +
+                     number((*range.second)[d]);
+          }
+        log.line(place + "; boundary ids " + list_of(b.boundary_ids()) +
+                 "; material ids " + list_of(b.material_ids()) +
+                 b.names_in_file);
+        const bool is_held =
+          std::any_of(scene.conditions.begin(),
+                      scene.conditions.end(),
+                      [&](const BoundaryCondition &c) {
+                        using Type = BoundaryCondition::Type;
+                        return c.body == b.name &&
+                               (c.type == Type::displacement ||
+                                c.type == Type::symmetry);
+                      });
+        if (!is_held && !model.is_dynamic())
+          log.line("  NOTE: no displacement or symmetry condition holds '" +
+                   b.name +
+                   "': in statics contact must hold all its motions, from the "
+                   "first step on.");
+      }
     log.line("Model: " + std::to_string(model.n_dofs()) + " dofs on " +
              std::to_string(Utilities::MPI::n_mpi_processes(communicator)) +
              " rank(s), about " +
@@ -454,6 +531,8 @@ namespace Structure
           trial,
           mixed_points,
           [&](const NewtonIterate &i) {
+            if (resolution)
+              resolution->watch(model);
             std::ostringstream out;
             out << "    iteration " << i.iteration << "  residual "
                 << std::scientific << std::setprecision(2) << i.residual;
@@ -526,8 +605,9 @@ namespace Structure
         log.open(output.directory + "/run.log", false);
         report_setup();
         output.fields(model, u, time, step);
+        begin_audit();
       }
-    begin_audit();
+    audit.u = u;
     wall.restart();
     const double first_time = time;
     // times closer than this are the same
@@ -598,8 +678,13 @@ namespace Structure
         time                   = target;
         ++step;
         model.commit(u);
-        for (const auto &interface : model.interfaces)
-          interface->commit(time);
+        for (unsigned int i = 0; i < model.interfaces.size(); ++i)
+          {
+            model.interfaces[i]->commit(time);
+            if (model.interfaces[i]->report().active_pairs > 0 ||
+                model.interfaces[i]->ties() != nullptr)
+              has_touched[i] = 1;
+          }
         if (last_newton.iterations <= s.target_iterations)
           next_step =
             std::min(s.largest, std::max(next_step, step_size) * s.growth);
@@ -621,13 +706,22 @@ namespace Structure
             log.line("  " + r.brief());
             if (every > 0 && step % every == 0 && r.relative_penetration > 0.8)
               for (const auto &w : r.worst)
-                log.line("    WARNING: close to release: penetration " +
-                         number(w.penetration) + " (" +
+                log.line(std::string("    WARNING: ") +
+                         (w.relative > 1. ? "deeper than release" :
+                                            "close to release") +
+                         ": penetration " + number(w.penetration) + " (" +
                          number(100. * w.relative) + " %) of cell " +
                          std::to_string(w.secondary.cell) + " of '" +
                          w.secondary.part + "' into cell " +
                          std::to_string(w.primary.cell) + " of '" +
                          w.primary.part + "'");
+          }
+
+        if (resolution)
+          {
+            resolution->measure(model, u);
+            for (const std::string &line : resolution->lines())
+              log.line(line);
           }
 
         const bool is_last = time >= s.end_time - same || step >= s.max_steps;
@@ -638,12 +732,15 @@ namespace Structure
         if (!is_last && stop_is_requested(communicator))
           return stop_run();
       }
-    write_summary("finished");
-    log.line("Finished: " + std::to_string(step) + " steps, " +
-             std::to_string(newton_iterations) + " iterations, " +
-             std::to_string(cut_backs) + " cut-backs, " +
-             duration(wall.wall_time()) + ". Results in '" + output.directory +
-             "'.");
+    const bool is_whole = time >= s.end_time - same;
+    write_summary(is_whole ? "finished" : "most steps");
+    log.line(
+      (is_whole ? "Finished: " :
+                  "Ended by 'Maximum steps' at time " + number(time) + " of " +
+                    number(s.end_time) + ": ") +
+      std::to_string(step) + " steps, " + std::to_string(newton_iterations) +
+      " iterations, " + std::to_string(cut_backs) + " cut-backs, " +
+      duration(wall.wall_time()) + ". Results in '" + output.directory + "'.");
     return finished;
   }
 
@@ -689,6 +786,11 @@ namespace Structure
         const std::string n = interface->name + ":";
         for (unsigned int i = 0; i < dim; ++i)
           row.emplace_back(n + "force_" + "xyz"[i], r.force[i]);
+        if (!r.force_on.empty())
+          for (const auto &part : r.parts)
+            for (unsigned int i = 0; i < dim; ++i)
+              row.emplace_back(n + part.name + "_force_" + "xyz"[i],
+                               part.force[i]);
         row.emplace_back(n + "largest_penetration", r.largest_penetration);
         row.emplace_back(n + "penetration_over_release",
                          r.relative_penetration);
@@ -741,22 +843,26 @@ namespace Structure
                                turned[i]);
           }
       }
+    const double strain  = model.strain_energy(u);
+    const double kinetic = model.is_dynamic() ? model.kinetic_energy() : 0.;
+    audit_energy(kinetic + strain);
+    row.emplace_back("strain_energy", strain);
+    if (audit.is_possible)
+      row.emplace_back("outer_work", audit.work);
     if (model.is_dynamic())
       {
-        const double kinetic = model.kinetic_energy();
-        const double strain  = model.strain_energy(u);
-        audit_energy(kinetic + strain);
         row.emplace_back("kinetic_energy", kinetic);
-        row.emplace_back("strain_energy", strain);
         const Tensor<1, 3> momentum = model.momentum();
         for (unsigned int i = 0; i < dim; ++i)
           row.emplace_back(std::string("momentum_") + "xyz"[i], momentum[i]);
       }
+    const auto append = [&](const auto &values) {
+      row.insert(row.end(), values.begin(), values.end());
+    };
     if (model.fluid)
-      {
-        const auto values = model.fluid->record();
-        row.insert(row.end(), values.begin(), values.end());
-      }
+      append(model.fluid->record());
+    if (resolution)
+      append(resolution->record());
     for (unsigned int c = 0; c < model.conditions.size(); ++c)
       if (model.conditions[c].type == BoundaryCondition::Type::displacement ||
           model.conditions[c].type == BoundaryCondition::Type::symmetry)
@@ -790,28 +896,12 @@ namespace Structure
   void
   Simulation<dim>::begin_audit()
   {
-    const std::array<std::string, 3> at_rest = {{"0", "0", "0"}};
-    audit.is_possible =
-      model.is_dynamic() && !model.fluid && !scene.refinement.is_on() &&
-      std::all_of(scene.rigid_bodies.begin(),
-                  scene.rigid_bodies.end(),
-                  [&](const RigidParameters &r) {
-                    return r.translation == at_rest &&
-                           r.rotation_angle == "0" && r.formula.empty();
-                  }) &&
-      std::all_of(scene.interfaces.begin(),
-                  scene.interfaces.end(),
-                  [](const InterfaceParameters &i) {
-                    return !i.contact.augmentation.is_on &&
-                           i.contact.removal_time == 0.;
-                  });
     if (!audit.is_possible)
       return;
-    audit.start =
-      model.kinetic_energy() + model.strain_energy(u) + contact_energy();
+    audit.start = (model.is_dynamic() ? model.kinetic_energy() : 0.) +
+                  model.strain_energy(u) + contact_energy();
     audit.largest = audit.start;
     audit.forces  = model.outer_forces();
-    audit.u       = u;
   }
 
 
@@ -821,7 +911,10 @@ namespace Structure
   {
     double energy = 0.;
     for (const auto &interface : model.interfaces)
-      energy += interface->report().energy;
+      {
+        const auto &r = interface->report();
+        energy += r.energy + r.dissipation + r.damage_dissipation;
+      }
     return energy;
   }
 
@@ -839,11 +932,14 @@ namespace Structure
     motion -= audit.u;
     audit.work += mean * motion;
     audit.largest       = std::max(audit.largest, energy);
+    const double excess = (energy - audit.start - audit.work) /
+                          std::max({audit.largest,
+                                    std::abs(audit.work),
+                                    std::numeric_limits<double>::min()});
     const double before = audit.growth;
-    audit.growth =
-      std::max(audit.growth,
-               (energy - audit.start - audit.work) /
-                 std::max({audit.largest, std::abs(audit.work), 1e-300}));
+    if (model.is_dynamic())
+      audit.growth = std::max(audit.growth, excess);
+    audit.error = std::max(audit.error, std::abs(excess));
     if (before <= large_energy_growth && audit.growth > large_energy_growth)
       log.line("  WARNING: there is " + number(100. * audit.growth, 2) +
                " % more energy than what was put in; steps are too long for "
@@ -883,7 +979,9 @@ namespace Structure
                                 &interface->parameters,
                                 interface->report().energy,
                                 interface->integration_error(),
-                                interface->is_on_obstacle()});
+                                interface->is_on_obstacle(),
+                                has_touched[run.interfaces.size()] != 0,
+                                interface->report().smallest_gap});
 
     nlohmann::json json;
     json["status"]            = status;
@@ -900,7 +998,8 @@ namespace Structure
     json["wall_seconds"]      = wall.wall_time();
     json["strain_energy"]     = run.strain_energy;
     if (audit.is_possible)
-      json["energy_growth"] = audit.growth;
+      json[model.is_dynamic() ? "energy_growth" : "energy_error"] =
+        model.is_dynamic() ? audit.growth : audit.error;
     json["parameters_hash"] = std::hash<std::string>()(used_parameters);
     for (const auto &[name, seconds] : times)
       json["seconds"][name] = seconds;

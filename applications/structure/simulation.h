@@ -2,6 +2,7 @@
 #ifndef mortar_contact_structure_simulation_h
 #define mortar_contact_structure_simulation_h
 
+#include "contact_resolution.h"
 #include "model.h"
 #include "output.h"
 #include "scene.h"
@@ -146,21 +147,20 @@ namespace Structure
     write_step(const double step_size, const bool is_last);
 
     /**
-     * Dynamics: compare the energy at the end of a step with the work done from
-     * outside. Steps too long for an impact create energy; what damping, time
-     * integration, friction and plasticity take is not known here and only
-     * makes it less.
+     * Compare the energy at the end of a step with the work done from outside,
+     * by the trapezoidal rule. Statics: the difference is what the steps are
+     * too long for the path. Dynamics: steps too long for an impact create
+     * energy; what damping and the time integration take only makes it less.
      * @param energy Kinetic and strain energy of the bodies [J].
      */
     void
     audit_energy(const double energy);
 
-    /// Of the springs of all interfaces [J].
+    /// In the springs of all interfaces, and dissipated by them [J].
     double
     contact_energy() const;
 
-    /// Begin it, where nothing does work that is not known: no tool is moved,
-    /// no fluid pushes, no treatment takes overlaps away.
+    /// Begin it.
     void
     begin_audit();
 
@@ -183,15 +183,21 @@ namespace Structure
     unsigned int cut_backs_of_step = 0;
     /// The step was solved on coarser meshes: rate leads to its end.
     bool goes_again = false;
-    /// See audit_energy(); of this run, from its start or restart on.
+    /// See audit_energy().
     struct EnergyAudit
     {
-      bool     is_possible = false;   ///< See begin_audit().
+      /// Nothing does work that is not known: no tool is moved, no fluid
+      /// pushes, no treatment takes overlaps away, nothing flows.
+      bool     is_possible = false;
       double   start = 0., work = 0.; ///< Energy then, work since [J].
       double   largest = 0.;          ///< Energy so far [J].
       double   growth  = 0.;          ///< Over it, largest so far [-].
+      double   error   = 0.;          ///< So, of either sign.
       Vector_t forces, u;             ///< At the end of the step before.
     } audit;
+    std::vector<char> has_touched; ///< By interface: in some step so far.
+    /// Null: not asked for.
+    std::unique_ptr<ContactResolution<dim>>                     resolution;
     Timer                                                       wall;
     std::vector<std::shared_ptr<MortarContact::RigidBody<dim>>> rigid_bodies;
     std::vector<std::array<types::global_dof_index, dim>>       probe_dofs;

@@ -158,7 +158,10 @@ namespace Structure
     c.newton_iterations = newton_iterations;
     c.linear_iterations = linear_iterations;
     c.refinements       = refinements;
-    const auto dofs     = dofs_in_order();
+    c.has_touched       = has_touched;
+    c.energies          = {
+               audit.start, audit.work, audit.largest, audit.growth, audit.error};
+    const auto dofs = dofs_in_order();
     for (const Vector_t *v : saved_vectors())
       {
         const Vector<double> all(*v);
@@ -248,6 +251,14 @@ namespace Structure
         std::istringstream in(c.interfaces[i]);
         model.interfaces[i]->load(in, u);
       }
+    fits(c.has_touched.size() == has_touched.size() && c.energies.size() == 5,
+         "they differ in interfaces");
+    has_touched       = c.has_touched;
+    audit.start       = c.energies[0];
+    audit.work        = c.energies[1];
+    audit.largest     = c.energies[2];
+    audit.growth      = c.energies[3];
+    audit.error       = c.energies[4];
     time              = c.time;
     next_step         = c.next_step;
     step              = c.step;

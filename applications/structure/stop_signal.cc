@@ -24,6 +24,7 @@ namespace Structure
     action.sa_handler       = request_stop;
     // the second one ends the program, as ever
     action.sa_flags = SA_RESETHAND | SA_RESTART;
+    sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
     sigaction(SIGUSR1, &action, nullptr);
   }

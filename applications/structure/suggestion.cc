@@ -98,6 +98,49 @@ namespace Structure
       return text.substr(from, text.find(after, from) - from);
     }
 
+    /// Entries that are known by other names to users of LS-DYNA, see
+    /// doc/ls_dyna_names.md.
+    std::string
+    entry_of_field(const std::string &field)
+    {
+      static const std::map<std::string, std::string> entries = {
+        {"SURFA", "Secondary"},
+        {"SSID", "Secondary"},
+        {"SURFB", "Primary"},
+        {"MSID", "Primary"},
+        {"SFS", "Stiffness scale"},
+        {"SFSA", "Stiffness scale"},
+        {"SLSFAC", "Penalty factor"},
+        {"IGAP", "Progressive stiffening"},
+        {"PENMAX", "Largest penetration"},
+        {"IGNORE", "Initial penetration"},
+        {"MPAR1", "Removal time' (IGNORE = 3, 4) or 'Initial pressure"},
+        {"MPAR2", "Deepest initial penetration"},
+        {"FS", "Friction coefficient"},
+        {"FD", "Dynamic friction coefficient"},
+        {"DC", "Friction decay"},
+        {"VC", "Friction function"},
+        {"SST", "Thickness"},
+        {"SAST", "Thickness"},
+        {"SFST", "Thickness scale"},
+        {"SLDTHK", "Secondary offset"},
+        {"NFLS", "Normal strength"},
+        {"SFLS", "Shear strength"},
+        {"MINFO", "Penetration report every"},
+        {"DT0", "First step"},
+        {"DTMIN", "Smallest step"},
+        {"DTMAX", "Largest step"},
+        {"ITEOPT", "Target iterations"},
+        {"ILIMIT", "Maximum iterations"},
+        {"DCTOL", "Displacement tolerance"},
+        {"RCTOL", "Force tolerance"}};
+      std::string upper = field;
+      for (char &c : upper)
+        c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+      const auto entry = entries.find(upper);
+      return entry == entries.end() ? "" : entry->second;
+    }
+
     std::string
     sentence(const Places &names, const std::string &wrong)
     {
@@ -105,7 +148,12 @@ namespace Structure
       unsigned int              best = 1 + wrong.size() / 3;
       const Places::value_type *near = nullptr;
       for (const auto &name : names)
-        if (const unsigned int d = distance(name.first, wrong); d < best)
+        if (best > 0 && name.first.rfind(wrong + " ", 0) == 0)
+          {
+            best = 0;
+            near = &name;
+          }
+        else if (const unsigned int d = distance(name.first, wrong); d < best)
           {
             best = d;
             near = &name;
@@ -134,6 +182,9 @@ namespace Structure
   did_you_mean(const ParameterHandler &prm, const std::string &error)
   {
     const std::string entry = between(error, "No entry with name <", ">");
+    if (const std::string here = entry_of_field(entry); !here.empty())
+      return "\n" + entry + " of LS-DYNA is '" + here +
+             "' here, see doc/ls_dyna_names.md.";
     if (!entry.empty())
       return sentence(names_in(prm).entries, entry);
     std::string section = Utilities::trim(
@@ -142,7 +193,18 @@ namespace Structure
       section.pop_back();
     if (section.empty())
       return {};
-    return sentence(names_in(prm).sections,
-                    section.substr(section.rfind('.') + 1));
+    const std::size_t dot  = section.rfind('.');
+    const std::string last = section.substr(dot + 1);
+    const std::string near = sentence(names_in(prm).sections, last);
+    // bodies, conditions, interfaces and the like are listed
+    const std::string outer = section.substr(0, dot);
+    const bool        is_listed =
+      dot != std::string::npos &&
+      (outer == "Bodies" || outer == "Boundary conditions" ||
+       outer == "Contact" || outer == "Rigid bodies" || outer == "Probes");
+    return near + (is_listed ?
+                     "\nIs '" + last + "' missing in '" + outer + "/" +
+                       (outer == "Contact" ? "Interfaces" : "Names") + "'?" :
+                     "");
   }
 } // namespace Structure

@@ -254,6 +254,37 @@ namespace
 } // namespace
 
 
+// In statics, what is put in is what is stored and dissipated, but for the
+// trapezoidal rule of the work: a block pressed by 30 %, stored energy only,
+// and one that slides with friction. Order 2 is the rule's.
+TEST(ExtremeMotion, StaticEnergyErrorIsThatOfTheSteps)
+{
+  const auto error = [](const double step, const std::string &friction) {
+    const auto s = run<2>(
+      names("block", "top", "floor") +
+      body("block",
+           "Lower corner = 0,0|Upper corner = 1,1|Cells = 4,4",
+           "Law = neo-Hookean|Young's modulus = 1000|Poisson's ratio = 0.3") +
+      rigid("ground", "Type = plane") +
+      condition("top",
+                "Body = block|Boundary ids = 3|y = -0.3*t|x = " +
+                  (friction.empty() ? std::string("0") :
+                                      std::string("0.2*t"))) +
+      interface("floor",
+                "Secondary = block: boundary 2|Primary = ground|"
+                "Law = linear|Stiffness scale = 100" +
+                  friction) +
+      solver(1e-10, step));
+    std::ifstream file(s->scene.output.directory + "/summary.json");
+    return nlohmann::json::parse(file).value("energy_error", -1.);
+  };
+  const double coarse = error(0.1, ""), fine = error(0.05, "");
+  EXPECT_LT(coarse, 0.01);
+  EXPECT_GT(coarse, 3. * fine);
+  EXPECT_LT(error(0.05, "|Friction coefficient = 0.2"), 0.02);
+}
+
+
 // The audit of the energy: a run that conserves it is not accused, one step
 // that is longer than the impact is, and where a treatment does work there is
 // no verdict.

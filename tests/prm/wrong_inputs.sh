@@ -43,11 +43,19 @@ set_punch() {
 # a mesh file that is none
 echo "not a mesh" > "$work/bad.msh"
 
+echo "*KEYWORD" > "$work/model.k"
+
 refuse "cannot be opened|nothing.prm" "$scene" "$work/nothing.prm"
 refuse "Driver|rubber_fit|contact_scene" "$scene" "$ring"
 refuse "--sett" "$scene" "$punch" --sett x=1
 refuse "No parameter file" "$scene"
 set_punch "Stifness scale" "$c/Stifness scale=1"
+set_punch "SFS|Stiffness scale|LS-DYNA" "$c/SFS=1"
+set_punch "model.k|LS-DYNA|gmsh" "$b/Mesh/Type=file" "$b/Mesh/File=$work/model.k"
+set_punch "Secondary|Primary|single surface" "$c/Primary=block: boundary 3" "$c/Secondary=block: boundary 3"
+set_punch "Friction coefficient" "$c/Friction=0.2"
+set_punch "side|Boundary conditions/Names" "Boundary conditions/side/x=0"
+refuse "is a folder" "$scene" "$work"
 set_punch "Contacts" "Contacts/Interfaces=a"
 set_punch "Stiffness scale|-1" "$c/Stiffness scale=-1"
 set_punch "Degree|7" "$c/Degree=7"

@@ -18,21 +18,21 @@ using namespace Structure;
 
 namespace
 {
-  using Vec = Tensor<1, 3>;
+  using Vector3 = Tensor<1, 3>;
 
   /// A warped element with directors that are not its normals.
   ShellElement
   warped(const unsigned int n, const double scale = 0.7)
   {
-    std::vector<Vec> R = {Vec({0., 0., 0.}),
-                          Vec({1.1, 0.1, 0.2}),
-                          Vec({-0.1, 0.9, 0.1}),
-                          Vec({1., 1.2, -0.2})};
-    std::vector<Vec> D;
+    std::vector<Vector3> R = {Vector3({0., 0., 0.}),
+                              Vector3({1.1, 0.1, 0.2}),
+                              Vector3({-0.1, 0.9, 0.1}),
+                              Vector3({1., 1.2, -0.2})};
+    std::vector<Vector3> D;
     R.resize(n);
     for (unsigned int i = 0; i < n; ++i)
       {
-        D.push_back(Vec({0.1 * i, -0.05 * i, 1.}));
+        D.push_back(Vector3({0.1 * i, -0.05 * i, 1.}));
         D.back() /= D.back().norm();
       }
     return ShellElement(R, D, {1000., 0.3, 0.1, 2.}, scale);
@@ -53,14 +53,14 @@ namespace
   {
     explicit Patch(const bool triangles, const double thickness)
     {
-      X     = {Vec({0., 0., 0.}),
-               Vec({0.24, 0., 0.}),
-               Vec({0.24, 0.12, 0.}),
-               Vec({0., 0.12, 0.}),
-               Vec({0.04, 0.02, 0.}),
-               Vec({0.18, 0.03, 0.}),
-               Vec({0.16, 0.08, 0.}),
-               Vec({0.08, 0.08, 0.})};
+      X     = {Vector3({0., 0., 0.}),
+               Vector3({0.24, 0., 0.}),
+               Vector3({0.24, 0.12, 0.}),
+               Vector3({0., 0.12, 0.}),
+               Vector3({0.04, 0.02, 0.}),
+               Vector3({0.18, 0.03, 0.}),
+               Vector3({0.16, 0.08, 0.}),
+               Vector3({0.08, 0.08, 0.})};
       cells = {
         {0, 1, 4, 5}, {1, 2, 5, 6}, {2, 3, 6, 7}, {3, 0, 7, 4}, {4, 5, 7, 6}};
       if (triangles)
@@ -75,11 +75,12 @@ namespace
         }
       for (const auto &c : cells)
         {
-          std::vector<Vec> R;
+          std::vector<Vector3> R;
           for (const unsigned int i : c)
             R.push_back(X[i]);
           elements.emplace_back(R,
-                                std::vector<Vec>(c.size(), Vec({0., 0., 1.})),
+                                std::vector<Vector3>(c.size(),
+                                                     Vector3({0., 0., 1.})),
                                 ShellSection{1e6, 0.25, thickness, 0.},
                                 scale);
         }
@@ -87,7 +88,8 @@ namespace
 
     /// Solve with the outer nodes given; the largest error at the inner ones.
     double
-    error(const std::function<std::array<double, 6>(const Vec &)> &field) const
+    error(
+      const std::function<std::array<double, 6>(const Vector3 &)> &field) const
     {
       const unsigned int n = 6 * X.size(), first = 6 * 4;
       FullMatrix<double> K(n, n);
@@ -125,7 +127,7 @@ namespace
 
     static constexpr double scale = 0.1; ///< Of the directors.
 
-    std::vector<Vec>                       X;
+    std::vector<Vector3>                   X;
     std::vector<std::vector<unsigned int>> cells;
     std::vector<ShellElement>              elements;
   };
@@ -212,22 +214,23 @@ TEST(ShellElement, RigidMotionHasNoEnergyAndNothingElseHas)
 
       // two radians about an inclined axis (Rodrigues), and a shift: R and D of
       // warped() again
-      Vec axis({1., 2., -0.5});
+      Vector3 axis({1., 2., -0.5});
       axis /= axis.norm();
-      const auto turn = [&](const Vec &x) {
-        return Vec(std::cos(2.) * x + std::sin(2.) * cross_product_3d(axis, x) +
-                   (1. - std::cos(2.)) * (axis * x) * axis);
+      const auto turn = [&](const Vector3 &x) {
+        return Vector3(std::cos(2.) * x +
+                       std::sin(2.) * cross_product_3d(axis, x) +
+                       (1. - std::cos(2.)) * (axis * x) * axis);
       };
-      const Vec R[4] = {Vec({0., 0., 0.}),
-                        Vec({1.1, 0.1, 0.2}),
-                        Vec({-0.1, 0.9, 0.1}),
-                        Vec({1., 1.2, -0.2})};
+      const Vector3 R[4] = {Vector3({0., 0., 0.}),
+                            Vector3({1.1, 0.1, 0.2}),
+                            Vector3({-0.1, 0.9, 0.1}),
+                            Vector3({1., 1.2, -0.2})};
       for (unsigned int i = 0; i < n; ++i)
         {
-          Vec D({0.1 * i, -0.05 * i, 1.});
+          Vector3 D({0.1 * i, -0.05 * i, 1.});
           D /= D.norm();
-          const Vec v = turn(R[i]) - R[i] + Vec({3., -1., 2.});
-          const Vec q = scale * (turn(D) - D);
+          const Vector3 v = turn(R[i]) - R[i] + Vector3({3., -1., 2.});
+          const Vector3 q = scale * (turn(D) - D);
           for (unsigned int c = 0; c < 3; ++c)
             {
               u(6 * i + c)     = v[c];
@@ -248,7 +251,7 @@ TEST(ShellElement, PassesMembraneBendingAndShearPatchTests)
       {
         const Patch patch(triangles, t);
         // MacNeal & Harder 1985: u = 1e-3 (x + y/2), v = 1e-3 (y + x/2)
-        EXPECT_LT(patch.error([](const Vec &x) {
+        EXPECT_LT(patch.error([](const Vector3 &x) {
           return std::array<double, 6>{{1e-3 * (x[0] + 0.5 * x[1]),
                                         1e-3 * (x[1] + 0.5 * x[0]),
                                         0.,
@@ -258,7 +261,7 @@ TEST(ShellElement, PassesMembraneBendingAndShearPatchTests)
         }),
                   1e-9);
         // w = 1e-3 (x^2 + xy + y^2)/2, directors normal to it
-        EXPECT_LT(patch.error([](const Vec &x) {
+        EXPECT_LT(patch.error([](const Vector3 &x) {
           return std::array<double, 6>{
             {0.,
              0.,
@@ -292,10 +295,10 @@ TEST(ShellElement, PassesMembraneBendingAndShearPatchTests)
 
 TEST(ShellElement, RefusesElementsWithoutArea)
 {
-  const std::vector<Vec> D(4, Vec({0., 0., 1.}));
-  std::vector<Vec>       R = {Vec({0., 0., 0.}),
-                              Vec({1., 0., 0.}),
-                              Vec({2., 0., 0.}),
-                              Vec({3., 0., 0.})};
+  const std::vector<Vector3> D(4, Vector3({0., 0., 1.}));
+  std::vector<Vector3>       R = {Vector3({0., 0., 0.}),
+                                  Vector3({1., 0., 0.}),
+                                  Vector3({2., 0., 0.}),
+                                  Vector3({3., 0., 0.})};
   EXPECT_THROW(ShellElement(R, D, {1., 0.3, 0.1, 0.}, 1.), ExceptionBase);
 }

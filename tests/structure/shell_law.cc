@@ -148,20 +148,20 @@ namespace
                 1e-5 * mu);
   }
 
-  using Vec = Tensor<1, 3>;
+  using Vector3 = Tensor<1, 3>;
 
   ShellElement
   warped(const unsigned int n, const ShellSection &section)
   {
-    std::vector<Vec> R = {Vec({0., 0., 0.}),
-                          Vec({1.1, 0.1, 0.2}),
-                          Vec({-0.1, 0.9, 0.1}),
-                          Vec({1., 1.2, -0.2})};
-    std::vector<Vec> D;
+    std::vector<Vector3> R = {Vector3({0., 0., 0.}),
+                              Vector3({1.1, 0.1, 0.2}),
+                              Vector3({-0.1, 0.9, 0.1}),
+                              Vector3({1., 1.2, -0.2})};
+    std::vector<Vector3> D;
     R.resize(n);
     for (unsigned int i = 0; i < n; ++i)
       {
-        D.push_back(Vec({0.1 * i, -0.05 * i, 1.}));
+        D.push_back(Vector3({0.1 * i, -0.05 * i, 1.}));
         D.back() /= D.back().norm();
       }
     return ShellElement(R, D, section, 0.7);
@@ -246,16 +246,14 @@ namespace
           s.poissons_ratio = 0.5;
           s.n_layers       = n_layers;
           // a square, small against the radius
-          const double       size = 0.01;
-          std::vector<Vec>   R    = {Vec({0., 0., 0.}),
-                                     Vec({size, 0., 0.}),
-                                     Vec({0., size, 0.}),
-                                     Vec({size, size, 0.})};
-          const ShellElement element(R,
-                                     std::vector<Vec>(4, Vec({0., 0., 1.})),
-                                     s,
-                                     1.);
-          const double       k_e = 2. * Y / (E * t), k = ratio * k_e;
+          const double         size = 0.01;
+          std::vector<Vector3> R    = {Vector3({0., 0., 0.}),
+                                       Vector3({size, 0., 0.}),
+                                       Vector3({0., size, 0.}),
+                                       Vector3({size, size, 0.})};
+          const ShellElement   element(
+            R, std::vector<Vector3>(4, Vector3({0., 0., 1.})), s, 1.);
+          const double k_e = 2. * Y / (E * t), k = ratio * k_e;
           // moments about y and x for the curvatures k along x, k_y along y
           const auto moments = [&](const double k_y) {
             Vector<double>     u(24), f(24);

@@ -200,7 +200,8 @@ namespace MortarContact
     advice() const;
 
     /// Accept the last update() as the state at the end of a step, at its time.
-    /// @throw ExcMessage where advice() refuses it.
+    /// @throw ExcMessage where advice() refuses it because displacements are
+    /// no numbers, or facets beyond the release depth (Release::cut_back).
     void
     commit(const double time);
 
