@@ -932,13 +932,10 @@ namespace Structure
     motion -= audit.u;
     audit.work += mean * motion;
     audit.largest       = std::max(audit.largest, energy);
-    const double excess = (energy - audit.start - audit.work) /
-                          std::max({audit.largest,
-                                    std::abs(audit.work),
-                                    std::numeric_limits<double>::min()});
+    const double excess = energy - audit.start - audit.work;
     const double before = audit.growth;
     if (model.is_dynamic())
-      audit.growth = std::max(audit.growth, excess);
+      audit.growth = std::max(audit.growth, excess / audit.scale());
     audit.error = std::max(audit.error, std::abs(excess));
     if (before <= large_energy_growth && audit.growth > large_energy_growth)
       log.line("  WARNING: there is " + number(100. * audit.growth, 2) +
@@ -999,7 +996,7 @@ namespace Structure
     json["strain_energy"]     = run.strain_energy;
     if (audit.is_possible)
       json[model.is_dynamic() ? "energy_growth" : "energy_error"] =
-        model.is_dynamic() ? audit.growth : audit.error;
+        model.is_dynamic() ? audit.growth : audit.error / audit.scale();
     json["parameters_hash"] = std::hash<std::string>()(used_parameters);
     for (const auto &[name, seconds] : times)
       json["seconds"][name] = seconds;

@@ -7,7 +7,10 @@
 #include "output.h"
 #include "scene.h"
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 
@@ -192,8 +195,16 @@ namespace Structure
       double   start = 0., work = 0.; ///< Energy then, work since [J].
       double   largest = 0.;          ///< Energy so far [J].
       double   growth  = 0.;          ///< Over it, largest so far [-].
-      double   error   = 0.;          ///< So, of either sign.
+      double   error   = 0.;          ///< Largest difference so far [J].
       Vector_t forces, u;             ///< At the end of the step before.
+
+      /// What differences are measured by [J].
+      double
+      scale() const
+      {
+        return std::max(
+          {largest, std::abs(work), std::numeric_limits<double>::min()});
+      }
     } audit;
     std::vector<char> has_touched; ///< By interface: in some step so far.
     /// Null: not asked for.

@@ -10,11 +10,15 @@
 #include <boost/archive/binary_oarchive.hpp>
 
 #include <algorithm>
+#include <string>
 
 namespace MortarContact
 {
   namespace
   {
+    /// What save() begins with.
+    const std::string saved_state = "MortarContact state 1\n";
+
     /// Join what all ranks remember; the same on all ranks.
     template <int dim>
     SurfaceHistory<dim>
@@ -46,6 +50,7 @@ namespace MortarContact
   void
   ContactInterface<dim>::save(std::ostream &out) const
   {
+    out << saved_state;
     boost::archive::binary_oarchive archive(out);
     const unsigned int              n        = sweeps.size();
     const bool                      has_ties = tie_sweep != nullptr;
@@ -87,8 +92,12 @@ namespace MortarContact
     bool                             has_ties = false;
     std::vector<SurfaceHistory<dim>> histories;
     TiesHistory<dim>                 ties;
+    // an archive takes the lengths that it reads for true
+    std::string begin(saved_state.size(), ' ');
+    in.read(&begin[0], begin.size());
     try
       {
+        AssertThrow(begin == saved_state, ExcIO());
         boost::archive::binary_iarchive archive(in);
         archive >> n >> has_ties >> last_report.n_released >>
           last_report.n_augmentations_total >> committed_time >> dissipation;
@@ -104,7 +113,7 @@ namespace MortarContact
         if (has_ties)
           archive >> ties;
       }
-    catch (const ExceptionBase &)
+    catch (const ExcMessage &)
       {
         throw;
       }

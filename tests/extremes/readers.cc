@@ -104,7 +104,7 @@ namespace
     return text;
   }
 
-  enum Outcome
+  enum ExitOfChild
   {
     was_read = 0,
     refused  = 1,

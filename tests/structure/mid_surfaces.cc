@@ -172,7 +172,10 @@ TEST(MidSurfaces, SurfacesAroundShellsAreClosed)
           }
         for (const auto &[edge, count] : edges)
           EXPECT_EQ(count, 0);
-        const double area = GridTools::volume(mesh);
+        double area = 0.;
+        for (const MidTriangle &t : shell.mid_surface())
+          area +=
+            0.5 * cross_product_3d(t.x[1] - t.x[0], t.x[2] - t.x[0]).norm();
         if (map.empty())
           EXPECT_NEAR(volume, area * (thickness + 2. * offset), 1e-13);
         else // curvature changes it by the square of thickness over radius
@@ -188,9 +191,10 @@ TEST(MidSurfaces, ForcesFromOutsideStretchABar)
   auto bar = make<3>(
     section("Bodies", "Names = bar") +
       section("Boundary conditions", "Names = end, y, z") +
-      body("bar",
-           "Upper corner = 2,1,1|Cells = 4,2,2",
-           "Law = linear|Young's modulus = 1000|Poisson's ratio = 0.3") +
+      body(
+        "bar",
+        "Upper corner = 2,1,1|Cells = 4,2,2",
+        "Law = linear elastic|Young's modulus = 1000|Poisson's ratio = 0.3") +
       condition("end", "Body = bar|Boundary ids = 0|x = 0") +
       condition("y", "Body = bar|Boundary ids = 2|y = 0") +
       condition("z", "Body = bar|Boundary ids = 4|z = 0") + solver(),

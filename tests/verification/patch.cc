@@ -9,7 +9,7 @@ using namespace Test;
 
 namespace
 {
-  const std::string elastic =
+  const std::string small_strain =
     "Law = linear elastic|Young's modulus = 1000|Poisson's ratio = 0.3";
 
   /// Largest deviation of any stress component of any cell from -1 in the
@@ -47,11 +47,11 @@ namespace
     return names("lower, upper", "base, side x, side y, sides, load", "i") +
            body("lower",
                 "Lower corner = 0,0,0|Upper corner = 1,1,1|" + lower,
-                elastic,
+                small_strain,
                 more) +
            body("upper",
                 "Lower corner = 0,0,0.999|Upper corner = 1,1,2|" + upper,
-                elastic,
+                small_strain,
                 more) +
            condition("base", "Body = lower|Boundary ids = 4|Type = symmetry") +
            condition("side x",
@@ -120,10 +120,10 @@ TEST(Patch, UniformStressWithTheUpperMeshTurned)
         "Type = cylinder|Radius = 1|Length = 1|Refinements = 2|";
       const auto s = run<3>(
         names("lower, upper", "base, sides, load", "i") +
-        body("lower", disc, elastic) +
+        body("lower", disc, small_strain) +
         body("upper",
              disc + "Move = 0, 0, 0.999|Rotation angle = " + angle,
-             elastic) +
+             small_strain) +
         condition(
           "base",
           "Body = lower|Boundary ids = 1|x = 0.3e-3*x|y = 0.3e-3*y|z = 0") +
@@ -200,10 +200,10 @@ TEST(Patch, PartlyCoveredFaceWithTheSameLoadOnTheRest)
     names("lower, upper", "base, x, y, ux, uy, load, rest", "i") +
     body("lower",
          "Lower corner = 0,0,0|Upper corner = 1,1,1|Cells = 4,4,2",
-         elastic) +
+         small_strain) +
     body("upper",
          "Lower corner = 0,0,0.999|Upper corner = 0.75,0.75,2|Cells = 5,5,2",
-         elastic) +
+         small_strain) +
     condition("base", "Body = lower|Boundary ids = 4|Type = symmetry") +
     condition("x", "Body = lower|Boundary ids = 0|Type = symmetry") +
     condition("y", "Body = lower|Boundary ids = 2|Type = symmetry") +
@@ -229,10 +229,10 @@ TEST(Patch, UniformStressInAnyDirection)
     names("lower, upper", "base, x, y, ux, uy, load", "i") +
     body("lower",
          "Lower corner = 0,0,0|Upper corner = 1,1,1|Cells = 3,3,2" + turn,
-         elastic) +
+         small_strain) +
     body("upper",
          "Lower corner = 0,0,0.999|Upper corner = 1,1,2|Cells = 4,4,2" + turn,
-         elastic) +
+         small_strain) +
     condition("base", "Body = lower|Boundary ids = 4|Type = symmetry") +
     condition("x", "Body = lower|Boundary ids = 0|Type = symmetry") +
     condition("y", "Body = lower|Boundary ids = 2|Type = symmetry") +
@@ -263,11 +263,11 @@ TEST(Patch, UniformStressInPlaneStrain)
           names("lower, upper", "base, x, ux, load", "i") +
           body("lower",
                "Lower corner = 0,0|Upper corner = 1,1|Cells = 3,2" + mesh,
-               elastic,
+               small_strain,
                more) +
           body("upper",
                "Lower corner = 0,0.999|Upper corner = 1,2|Cells = 4,2" + mesh,
-               elastic,
+               small_strain,
                more) +
           condition("base", "Body = lower|Boundary ids = 2|Type = symmetry") +
           condition("x", "Body = lower|Boundary ids = 0|Type = symmetry") +
