@@ -140,7 +140,7 @@ main(int argc, char **argv)
         dof_handler, 8, Functions::ConstantFunction<dim>(head), constraints);
       constraints.close();
 
-      contact.update(u);                      // contact
+      contact.update(u, 1.);                  // contact
       if (contact.report().couplings_changed) // contact
         {
           DynamicSparsityPattern dsp(dof_handler.n_dofs());
