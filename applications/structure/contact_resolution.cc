@@ -97,8 +97,13 @@ namespace Structure
       {
         const auto &r = model.interfaces[i]->report();
         Resolved    resolved;
-        resolved.name         = r.name;
-        resolved.smallest_gap = r.smallest_gap;
+        resolved.name = r.name;
+        // a penetration is a negative gap; nothing in front is far away
+        resolved.smallest_gap =
+          r.largest_penetration > 0. ? -r.largest_penetration :
+          r.smallest_gap < std::numeric_limits<double>::max() ?
+                                       r.smallest_gap :
+                                       std::numeric_limits<double>::infinity();
         std::tie(resolved.gap_jump, resolved.height) =
           jump_and_height(*model.interfaces[i], model.communicator);
         if (before.size() == last.size() && r.active_area > 0.)

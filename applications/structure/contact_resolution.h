@@ -23,7 +23,7 @@ namespace Structure
     /// After the model is numbered.
     explicit ContactResolution(const Model<dim> &model);
 
-    /// Of each Newton iterate, for changed().
+    /// To be called for each Newton iterate, for `last_change`.
     void
     watch(const Model<dim> &model);
 

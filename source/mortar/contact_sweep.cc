@@ -859,10 +859,12 @@ namespace MortarContact
     // A facet has opened when nothing presses on it any more. Levels are
     // bilinear, depths of curved surfaces are not: at rest some points press
     // and others are open, and levels that followed those would creep.
-    std::vector<char> presses(owned.size(), 0);
-    for (const ActivePair &pair : active)
-      presses[std::lower_bound(owned.begin(), owned.end(), pair.secondary) -
-              owned.begin()] = 1;
+    const bool        tracks = track && !history.level.empty();
+    std::vector<char> presses(tracks ? owned.size() : 0, 0);
+    if (tracks)
+      for (const ActivePair &pair : active)
+        presses[std::lower_bound(owned.begin(), owned.end(), pair.secondary) -
+                owned.begin()] = 1;
 
     unsigned int next = 0;
     for (unsigned int o = 0; o < owned.size(); ++o)
@@ -870,7 +872,7 @@ namespace MortarContact
         const unsigned int        f    = owned[o];
         std::vector<unsigned int> near = candidates_of(o, next);
 
-        const bool follows = track && !history.level.empty() && !presses[o];
+        const bool follows = tracks && !presses[o];
         if (!follows && !is_released(o))
           continue;
 

@@ -172,10 +172,10 @@ TEST(MidSurfaces, SurfacesAroundShellsAreClosed)
           }
         for (const auto &[edge, count] : edges)
           EXPECT_EQ(count, 0);
-        double area = 0.;
-        for (const MidTriangle &t : shell.mid_surface())
-          area +=
-            0.5 * cross_product_3d(t.x[1] - t.x[0], t.x[2] - t.x[0]).norm();
+        // flat; the integral of sqrt(1 + 0.04 (x^2 + y^2)); five chords
+        const double area = map.empty()   ? 1. :
+                            map[0] == 'c' ? 10. * std::sin(0.1) :
+                                            1.01321;
         if (map.empty())
           EXPECT_NEAR(volume, area * (thickness + 2. * offset), 1e-13);
         else // curvature changes it by the square of thickness over radius
