@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 """The same scenes by CalculiX (Debian: calculix-ccx) and by contact_scene, in one run.
 
-Usage: benchmarks/calculix.py [--case NAME]... [--repeat N] [--ranks N] [--output DIR]
+Usage: benchmarks/calculix.py [--case NAME]... [--method NAME]... [--size N]... [--repeat N]
+         [--ranks N] [--output DIR]
 
 Cases, of trilinear hexahedra in both programs, with the same meshes, the same linear
 penalty and one thread:
@@ -396,28 +397,33 @@ CASES = {
 def main():
     options = parser(__doc__, "calculix")
     options.add_argument("--case", action="append", choices=list(CASES))
+    options.add_argument("--method", action="append", choices=list(KINDS) + list(OURS))
+    options.add_argument("--size", action="append", type=int, help="of press: cells along an edge")
     options.add_argument("--repeat", type=int, default=1)
     options.set_defaults(ranks=1)
     arguments = options.parse_args()
     if not shutil.which("ccx"):
         sys.exit("CalculiX is missing: apt-get install calculix-ccx")
     os.makedirs(arguments.output, exist_ok=True)
+    methods = arguments.method or list(KINDS) + list(OURS)
     lines = []
     for name in arguments.case or CASES:
         variants, measure, title = CASES[name]
+        if name == "press" and arguments.size:
+            variants = [press(n) for n in arguments.size]
         lines += [f"## {name}", "", f"| method | nodes | finished | increments | iterations | cut-backs "
                   f"| seconds | {title} |", "|" + "---|" * 8]
         for case in variants:
             n_nodes = 0
             results, seconds = {}, {}
             for _ in range(arguments.repeat):
-                for kind in KINDS:
+                for kind in [k for k in KINDS if k in methods]:
                     folder = os.path.join(arguments.output, f"{name}_{kind}".replace(" ", "_"))
                     results[kind] = run_ccx(case, kind, folder)
                     seconds.setdefault(kind, []).append(results[kind]["seconds"])
                     print(f"{name} {kind}: {results[kind]['seconds']:.1f} s {results[kind]['why']}", flush=True)
-                for label, entry in OURS.items():
-                    settings = [f"Contact/i/Integration={e}" for e in entry]
+                for label in [o for o in OURS if o in methods]:
+                    settings = [f"Contact/i/Integration={e}" for e in OURS[label]]
                     results[label] = run_ours(case, settings, f"{name} {label}", arguments)
                     seconds.setdefault(label, []).append(results[label]["seconds"])
             n_nodes = sum(len(b.nodes) for b in case["bodies"])

@@ -30,6 +30,7 @@ build "$root/build" Release "$driver" -- -DMORTAR_CONTACT_TESTS=OFF
 # nproc listens to OMP_NUM_THREADS
 ranks=${RANKS:-$(env -u OMP_NUM_THREADS nproc)}
 [ -z "${RANKS:-}" ] && [ "$ranks" -gt 2 ] && ranks=2
+[ "$driver" = immersed_leaflets ] && ranks=1 # it is not parallel
 # Pictures, and a page with all of the run, where there is one.
 pictures=(--pictures)
 case " $* " in

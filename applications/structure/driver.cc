@@ -72,10 +72,11 @@ namespace Structure
                   Log               &log)
     {
       const std::string script =
-        (driver == "rubber_fit")    ? "pictures.py" :
-        (driver == "dummy_on_hood") ? "hood_pictures.py" :
-        (driver == "shell_leaflet") ? "valve_pictures.py" :
-                                      "plot_run.py";
+        (driver == "rubber_fit")        ? "pictures.py" :
+        (driver == "dummy_on_hood")     ? "hood_pictures.py" :
+        (driver == "shell_leaflet")     ? "valve_pictures.py" :
+        (driver == "immersed_leaflets") ? "flow_pictures.py" :
+                                          "plot_run.py";
       std::string quoted;
       for (const char c : directory)
         quoted += (c == '\'') ? "'\\''" : std::string(1, c);
@@ -161,7 +162,7 @@ namespace Structure
 
 
   int
-  run_driver(const Driver &driver, int argc, char **argv)
+  run_program(const Program &program, int argc, char **argv)
   {
     // a user's mistake is no reason for a stack trace
     deal_II_exceptions::suppress_stacktrace_in_exceptions();
@@ -169,45 +170,49 @@ namespace Structure
     catch_stop_signals();
     const bool is_root = Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
 
-    CLI::App    app(driver.description, driver.name);
-    SceneSource source;
-    std::string output, restart;
-    bool        print = false, check = false, quiet = false, pictures = false;
-    source.driver = driver.name;
-    app.add_option("FILE", source.file, "Parameter file (.prm, or .json)");
+    CLI::App    app(program.description, program.name);
+    Task        task;
+    std::string output;
+    bool        pictures = false;
+    task.source.driver   = program.name;
+    app.add_option("FILE", task.source.file, "Parameter file (.prm, or .json)");
     app
       .add_option("--set",
-                  source.settings,
+                  task.source.settings,
                   "\"Section/Sub section/Entry=value\", after the file; may be "
                   "given several times")
       ->expected(1)
       ->take_all();
     app.add_option("--output", output, "Folder for the results");
-    app.add_option("--restart", restart, "Continue the run in this folder");
+    app.add_option("--restart",
+                   task.restart,
+                   "Continue the run in this folder");
     app.add_flag("--print-parameters",
-                 print,
+                 task.print_only,
                  "Print the annotated defaults; "
                  "with FILE what it changes of them");
-    app.add_flag("--check", check, "Read, build and report, do not solve");
+    app.add_flag("--check",
+                 task.check_only,
+                 "Read, build and report, do not solve");
     app.add_flag("--pictures",
                  pictures,
                  "At the end make pictures and report.html (needs the source "
                  "tree, VTK and matplotlib for Python)");
-    app.add_flag("--quiet", quiet, "Nothing on the terminal but errors");
+    app.add_flag("--quiet", task.quiet, "Nothing on the terminal but errors");
     app.set_version_flag("--version", "MortarContact 0.1.0");
     app.footer(
       "Examples:\n"
       "  " +
-      driver.name +
+      program.name +
       " scene.prm --check          what the scene has, without solving\n"
       "  " +
-      driver.name +
+      program.name +
       " scene.prm --set \"Steps/First step=0.01\"\n"
       "  mpirun -np 2 " +
-      driver.name +
+      program.name +
       " scene.prm\n"
       "  " +
-      driver.name +
+      program.name +
       " scene.prm --restart output continue where a run ended\n"
       "Exit codes: 0 finished, 1 wrong input, 2 no convergence (last state "
       "saved),\n"
@@ -226,45 +231,34 @@ namespace Structure
           app.exit(e);
         return asked ? finished : wrong_input;
       }
-    if (print && source.file.empty())
+    if (task.print_only && task.source.file.empty())
       {
         if (is_root)
-          std::cout << driver.defaults();
+          std::cout << program.defaults();
         return finished;
       }
-    source.only_changed = print;
+    task.source.only_changed = task.print_only;
 
     // Everything up to the first step that fails is the input's fault.
     ExitCode stage = wrong_input;
     try
       {
-        AssertThrow(!source.file.empty(),
+        AssertThrow(!task.source.file.empty(),
                     ExcMessage("No parameter file given; expected " +
-                               driver.name + " FILE.prm. See --help."));
+                               program.name + " FILE.prm. See --help."));
         // a run goes on in its folder
         if (output.empty())
-          output = restart;
+          output = task.restart;
         if (!output.empty())
-          source.settings.push_back("Output/Directory=" + output);
-        std::string used;
-        const Scene scene = driver.read(source, used);
-        if (print)
+          task.source.settings.push_back("Output/Directory=" + output);
+        std::string    directory;
+        const ExitCode code = program.run(task, stage, directory);
+        if (code == finished && !task.check_only && !task.print_only &&
+            pictures && is_root)
           {
-            if (is_root)
-              std::cout << used;
-            return finished;
+            Log log(MPI_COMM_WORLD, task.quiet);
+            make_pictures(program.name, directory, log);
           }
-        Log log(MPI_COMM_WORLD, quiet);
-        log.line(driver.name + " " + source.file);
-
-        const ExitCode code =
-          (scene.dimension == 2) ?
-            run_scene<2>(scene, used, restart, check, log, stage) :
-            run_scene<3>(scene, used, restart, check, log, stage);
-        if (code == finished && !check && driver.finish)
-          driver.finish(scene.output.directory, MPI_COMM_WORLD);
-        if (code == finished && !check && pictures && is_root)
-          make_pictures(driver.name, scene.output.directory, log);
         return code;
       }
     catch (const ExcMessage &e)
@@ -281,5 +275,38 @@ namespace Structure
       {
         return fail(internal_error, "Internal error: unknown exception");
       }
+  }
+
+
+  int
+  run_driver(const Driver &driver, int argc, char **argv)
+  {
+    Program program;
+    program.name        = driver.name;
+    program.description = driver.description;
+    program.defaults    = driver.defaults;
+    program.run         = [&](const Task  &task,
+                      ExitCode    &stage,
+                      std::string &directory) {
+      std::string used;
+      const Scene scene = driver.read(task.source, used);
+      directory         = scene.output.directory;
+      Log log(MPI_COMM_WORLD, task.quiet);
+      if (task.print_only)
+        {
+          if (log.is_root)
+            std::cout << used;
+          return finished;
+        }
+      log.line(driver.name + " " + task.source.file);
+      const ExitCode code =
+        (scene.dimension == 2) ?
+                  run_scene<2>(scene, used, task.restart, task.check_only, log, stage) :
+                  run_scene<3>(scene, used, task.restart, task.check_only, log, stage);
+      if (code == finished && !task.check_only && driver.finish)
+        driver.finish(directory, MPI_COMM_WORLD);
+      return code;
+    };
+    return run_program(program, argc, argv);
   }
 } // namespace Structure

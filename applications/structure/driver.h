@@ -3,6 +3,7 @@
 #define mortar_contact_structure_driver_h
 
 #include "scene.h"
+#include "simulation.h"
 
 #include <functional>
 #include <string>
@@ -21,6 +22,35 @@ namespace Structure
     /// Called after a finished run, on all ranks, to add to the results.
     std::function<void(const std::string &directory, const MPI_Comm)> finish;
   };
+
+  /// What the command line asks a program to do with its parameter file.
+  struct Task
+  {
+    SceneSource source;
+    std::string restart; ///< Folder to go on from; empty: none.
+    bool        print_only = false, check_only = false, quiet = false;
+  };
+
+  /// A program that reads a parameter file and runs, whatever it solves.
+  struct Program
+  {
+    std::string name;
+    std::string description;
+    /// The annotated defaults.
+    std::function<std::string()> defaults;
+    /**
+     * Read and run. Exceptions are the input's fault until @p stage is set to
+     * internal_error.
+     * @param directory Becomes the folder of the results.
+     */
+    std::function<
+      ExitCode(const Task &task, ExitCode &stage, std::string &directory)>
+      run;
+  };
+
+  /// What was wrong with a run, or how it ended. See run_driver().
+  int
+  run_program(const Program &program, int argc, char **argv);
 
   /**
    * A driver whose entries can all be declared beforehand; 'Driver' itself is

@@ -215,6 +215,17 @@ namespace Structure
 
   template <int dim>
   void
+  Output<dim>::add_to_solution(const double       time,
+                               const unsigned int part,
+                               const std::string &file)
+  {
+    solution_files.push_back({time, part, file});
+    write_collection("solution.pvd", solution_files);
+  }
+
+
+  template <int dim>
+  void
   Output<dim>::text_file(const std::string &name,
                          const std::string &content) const
   {

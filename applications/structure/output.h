@@ -67,6 +67,13 @@ namespace Structure
            const double       time,
            const unsigned int step);
 
+    /// Make @p file, which the caller has written to the folder, a part of
+    /// solution.pvd.
+    void
+    add_to_solution(const double       time,
+                    const unsigned int part,
+                    const std::string &file);
+
     /// Write a text file on rank 0, whole or not at all.
     void
     text_file(const std::string &name, const std::string &content) const;

@@ -464,20 +464,34 @@ namespace MortarContact
 
   template <int dim>
   void
-  ContactInterface<dim>::fetch_owned(const IndexSet            &owned,
-                                     const std::vector<double> &owned_values)
+  ContactInterface<dim>::prepare_fetch(const IndexSet &owned)
   {
     const bool is_new = !partitioner || owned.size() != fetched_owned.size() ||
                         !(owned == fetched_owned);
-    if (Utilities::MPI::logical_or(is_new, communicator))
-      {
-        fetched_owned = owned;
-        partitioner =
-          std::make_unique<Utilities::MPI::NoncontiguousPartitioner>(
-            owned, relevant_dofs(owned.size()), communicator);
-      }
+    if (!Utilities::MPI::logical_or(is_new, communicator))
+      return;
+    fetched_owned = owned;
+    own_dofs.clear();
+    // numbered as in dofs: all ranks have the same
+    IndexSet own(dofs.size());
+    for (std::size_t i = 0; i < dofs.size(); ++i)
+      if (owned.is_element(dofs[i]))
+        {
+          own_dofs.push_back(dofs[i]);
+          own.add_index(i);
+        }
+    own.compress();
+    partitioner = std::make_unique<Utilities::MPI::NoncontiguousPartitioner>(
+      own, complete_index_set(dofs.size()), communicator);
+  }
+
+
+  template <int dim>
+  void
+  ContactInterface<dim>::exchange(const std::vector<double> &own_values)
+  {
     partitioner->template export_to_ghosted_array<double>(
-      ArrayView<const double>(owned_values.data(), owned_values.size()),
+      ArrayView<const double>(own_values.data(), own_values.size()),
       ArrayView<double>(values.data(), values.size()));
     const bool is_wrong =
       std::any_of(values.begin(), values.end(), [](const double v) {

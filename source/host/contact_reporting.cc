@@ -285,6 +285,8 @@ namespace MortarContact
     };
     keep_worst(worst);
     r.worst.clear();
+    if (r.active_pairs == 0)
+      return;
     for (const auto &of_rank : Utilities::MPI::all_gather(communicator, worst))
       r.worst.insert(r.worst.end(), of_rank.begin(), of_rank.end());
     keep_worst(r.worst);

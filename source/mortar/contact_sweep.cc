@@ -156,28 +156,42 @@ namespace MortarContact
             pairs.emplace_back(f, 0);
         return;
       }
+    if (owned.empty() || searched_p.empty())
+      return;
+
+    // Step 1: the boxes of both sides. Sides that are far from each other are
+    // done with here.
     std::vector<Box<dim>> boxes;
     boxes.reserve(searched_p.size());
     for (const auto &f : searched_p)
       boxes.push_back(box_around(f));
+    const Box<dim>                                 all = box_around(boxes);
+    std::vector<std::pair<unsigned int, Box<dim>>> near;
+    for (const unsigned int f : owned)
+      {
+        // the box of the facet, swept inwards over the depth that counts
+        Box<dim>             box    = box_around(searched_s[f]);
+        const Tensor<1, dim> w      = centre_normal(searched_s[f]);
+        const Tensor<1, dim> inward = -reach(f) / w.norm() * w;
+        for (unsigned int a = 0; a < searched_s[f].n_vertices; ++a)
+          extend(box, Tensor<1, dim>(searched_s[f].x[a] + inward));
+        inflate(box, margin + surface_offset);
+        if (intersect(box, all))
+          near.emplace_back(f, box);
+      }
+    if (near.empty())
+      return;
+
+    // Step 2: the pairs of facets.
     const BroadPhase<dim> broad_phase(boxes);
     const PairFilter<dim> filter(secondary,
                                  primary,
                                  kernel.options.zero_cosine,
                                  kernel.options.ceiling);
-    for (const unsigned int f : owned)
-      {
-        // the box of the facet, swept inwards over the depth that counts
-        Box<dim>             box = box_around(searched_s[f]);
-        const Tensor<1, dim> w   = centre_normal(searched_s[f]);
-        for (unsigned int a = 0; a < searched_s[f].n_vertices; ++a)
-          extend(box,
-                 Tensor<1, dim>(searched_s[f].x[a] - reach(f) / w.norm() * w));
-        inflate(box, margin + surface_offset);
-        for (const unsigned int p : broad_phase.find(box))
-          if (filter.may_touch(f, p))
-            pairs.emplace_back(f, p);
-      }
+    for (const auto &[f, box] : near)
+      for (const unsigned int p : broad_phase.find(box))
+        if (filter.may_touch(f, p))
+          pairs.emplace_back(f, p);
     drop_pairs_aside();
   }
 
@@ -927,28 +941,39 @@ namespace MortarContact
         for (unsigned int a = 0; a < moved_p[p].n_vertices; ++a)
           extend(boxes.back(), moved_p[p].x[a]);
       }
+    const Box<dim>                                 all = box_around(boxes);
+    std::vector<std::pair<unsigned int, Box<dim>>> near;
+    for (const unsigned int f : owned)
+      {
+        const Facet<dim> &facet = secondary.facets[f].current;
+        Box<dim>          box   = box_around(facet);
+        for (unsigned int a = 0; a < facet.n_vertices; ++a)
+          extend(box, moved_s[f].x[a]);
+        inflate(box, surface_offset);
+        if (intersect(box, all))
+          near.emplace_back(f, box);
+      }
+    if (near.empty())
+      return step;
+
     const BroadPhase<dim> broad_phase(boxes);
     const PairFilter<dim> filter(secondary,
                                  primary,
                                  kernel.options.zero_cosine,
                                  kernel.options.ceiling);
-
-    for (const unsigned int f : owned)
+    for (const auto &[f, box] : near)
       {
         const ContactFacet<dim> &facet = secondary.facets[f];
         const Tensor<1, dim>     w     = centre_normal(facet.current);
         const Tensor<1, dim>     n     = w / w.norm();
-        Box<dim>                 box   = box_around(facet.current);
         double advance                 = std::numeric_limits<double>::lowest();
         double front                   = advance;
         for (unsigned int a = 0; a < facet.current.n_vertices; ++a)
           {
-            extend(box, moved_s[f].x[a]);
             front = std::max(front, n * facet.current.x[a]);
             advance =
               std::max(advance, n * (moved_s[f].x[a] - facet.current.x[a]));
           }
-        inflate(box, surface_offset);
         for (const unsigned int p : broad_phase.find(box))
           {
             if (!filter.face_each_other(f, p))

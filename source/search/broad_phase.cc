@@ -57,6 +57,32 @@ namespace MortarContact
 
 
   template <int dim>
+  Box<dim>
+  box_around(const std::vector<Box<dim>> &boxes)
+  {
+    Assert(!boxes.empty(), ExcInternalError());
+    Box<dim> all = boxes[0];
+    for (const auto &box : boxes)
+      {
+        extend(all, box.low);
+        extend(all, box.high);
+      }
+    return all;
+  }
+
+
+  template <int dim>
+  bool
+  intersect(const Box<dim> &a, const Box<dim> &b)
+  {
+    for (unsigned int i = 0; i < dim; ++i)
+      if (a.low[i] > b.high[i] || b.low[i] > a.high[i])
+        return false;
+    return true;
+  }
+
+
+  template <int dim>
   struct BroadPhase<dim>::Tree
   {
     using Leaf = std::pair<BoundingBox<dim>, unsigned int>;
@@ -99,6 +125,14 @@ namespace MortarContact
   box_around(const Facet<2> &);
   template Box<3>
   box_around(const Facet<3> &);
+  template Box<2>
+  box_around(const std::vector<Box<2>> &);
+  template Box<3>
+  box_around(const std::vector<Box<3>> &);
+  template bool
+  intersect(const Box<2> &, const Box<2> &);
+  template bool
+  intersect(const Box<3> &, const Box<3> &);
   template void
   extend(Box<2> &, const Tensor<1, 2> &);
   template void

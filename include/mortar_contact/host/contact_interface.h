@@ -450,8 +450,13 @@ namespace MortarContact
     void
     fetch(const VectorType &u);
 
+    /// Know which of these dofs are among @p owned, and who has the others.
     void
-    fetch_owned(const IndexSet &owned, const std::vector<double> &values);
+    prepare_fetch(const IndexSet &owned);
+
+    /// Send the values of own_dofs to all ranks, and receive theirs.
+    void
+    exchange(const std::vector<double> &own_values);
 
     void
     load_at_fetched(std::istream &in);
@@ -524,6 +529,7 @@ namespace MortarContact
     /// and at the last commit(), whatever has been fetched for that time since.
     std::vector<double>                                       accepted_values;
     IndexSet                                                  fetched_owned;
+    std::vector<types::global_dof_index>                      own_dofs;
     std::unique_ptr<Utilities::MPI::NoncontiguousPartitioner> partitioner;
   };
 } // namespace MortarContact

@@ -24,12 +24,12 @@ namespace MortarContact
                            std::to_string(dofs.back()) +
                            "; after dofs are numbered anew, add the surfaces "
                            "again."));
-    const IndexSet      owned = u.locally_owned_elements();
-    std::vector<double> owned_values;
-    owned_values.reserve(owned.n_elements());
-    for (const auto i : owned)
-      owned_values.push_back(u(i));
-    fetch_owned(owned, owned_values);
+    prepare_fetch(u.locally_owned_elements());
+    std::vector<double> own_values;
+    own_values.reserve(own_dofs.size());
+    for (const auto dof : own_dofs)
+      own_values.push_back(u(dof));
+    exchange(own_values);
   }
 
 

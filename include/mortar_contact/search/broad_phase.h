@@ -33,6 +33,16 @@ namespace MortarContact
   void
   inflate(Box<dim> &box, const double by);
 
+  /// Smallest box around all @p boxes; there must be one.
+  template <int dim>
+  Box<dim>
+  box_around(const std::vector<Box<dim>> &boxes);
+
+  /// Whether the boxes have a point in common.
+  template <int dim>
+  bool
+  intersect(const Box<dim> &a, const Box<dim> &b);
+
   /// An R-tree over boxes: finds all that intersect a query box, O(log n) each.
   template <int dim>
   class BroadPhase
