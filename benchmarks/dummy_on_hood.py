@@ -2,7 +2,7 @@
 """Contact methods compared on the dummy on the hood.
 
 Usage: benchmarks/dummy_on_hood.py [--file FILE.prm] [--repeat N] [--ranks N]
-         [--output DIR] [--reference] [--tight] [--set "Section/Entry=value"]...
+         [--output DIR] [--reference] [--reference-run DIR] [--tight] [--set "Section/Entry=value"]...
 
 Runs the same scene, with the same solver and tolerances, by
   segments   mortar contact over the overlaps of facets,
@@ -11,7 +11,8 @@ Runs the same scene, with the same solver and tolerances, by
   smoothed   the same with the smoothed stiffness of the mortar contact's law,
 in turn, N times each, and writes DIR/table.md and DIR/forces.png from the runs'
 own files. --reference adds a run with a finer panel and dummy and tolerances
-a hundred times tighter, --tight one such run of each method on its own mesh.
+a hundred times tighter, --reference-run takes a run that is there (as of
+dummy_on_hood_fine.prm), --tight adds one such run of each method on its own mesh.
 
 Roughness of the force at equal steps of the motion, while pressed / while slid:
   ripple     rms distance from the local parabola through 7 samples, over the mean
@@ -100,6 +101,7 @@ def main():
     options.add_argument("--repeat", type=int, default=1)
     options.add_argument("--sample", type=float, default=0.05, help="time between samples")
     options.add_argument("--reference", action="store_true")
+    options.add_argument("--reference-run", metavar="DIR")
     options.add_argument("--tight", action="store_true")
     arguments = options.parse_args()
     os.makedirs(arguments.output, exist_ok=True)
@@ -112,6 +114,9 @@ def main():
     reference = tight = None
     if arguments.reference:
         reference = curve(sampled("reference", FINE, arguments)[1], arguments.sample)
+    if arguments.reference_run:
+        with open(os.path.join(arguments.reference_run, "history.csv"), newline="") as file:
+            reference = curve(list(csv.DictReader(file)), arguments.sample)
     if arguments.tight:
         tight = {
             name: curve(sampled(f"{name} tight", settings + TIGHT, arguments)[1], arguments.sample)

@@ -12,6 +12,9 @@ namespace Structure
 {
   namespace
   {
+    // What is generated is kept: more would fill the memory.
+    constexpr unsigned long most_generated = 100000000;
+
     std::string
     upper(std::string text)
     {
@@ -126,6 +129,8 @@ namespace Structure
       {
         const std::vector<std::string> words =
           Utilities::split_string_list(line.substr(1));
+        if (words.empty())
+          fail(line, "a keyword");
         keyword      = Keyword();
         keyword.name = upper(words[0]);
         for (std::size_t i = 1; i < words.size(); ++i)
@@ -287,7 +292,12 @@ namespace Structure
                 const unsigned long last = whole(words[1]);
                 const unsigned long step =
                   words.size() > 2 ? std::max(1ul, whole(words[2])) : 1;
-                for (unsigned long e = whole(words[0]); e <= last; e += step)
+                const unsigned long first = whole(words[0]);
+                if (last >= first && (last - first) / step > most_generated)
+                  fail(words[0] + ", " + words[1],
+                       "at most " + std::to_string(most_generated) +
+                         " elements of a set");
+                for (unsigned long e = first; e <= last; e += step)
                   set.insert(e);
               }
             else

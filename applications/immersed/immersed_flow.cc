@@ -154,13 +154,17 @@ namespace Immersed
     if (parameters.has_velocity)
       VectorTools::interpolate_boundary_values(
         mapping, dof_handler, left, Inlet(inlet, t), values, velocities);
+    const Functions::ZeroFunction<2> zero(3);
     for (const auto side : {bottom, top})
-      VectorTools::interpolate_boundary_values(mapping,
-                                               dof_handler,
-                                               side,
-                                               Functions::ZeroFunction<2>(3),
-                                               values,
-                                               velocities);
+      VectorTools::interpolate_boundary_values(
+        mapping, dof_handler, side, zero, values, velocities);
+    // where pressure is given the flow is parallel to the channel
+    const ComponentMask across =
+      fluid.fe.component_mask(FEValuesExtractors::Scalar(1));
+    for (const auto side : {left, right})
+      if (side == right || !parameters.has_velocity)
+        VectorTools::interpolate_boundary_values(
+          mapping, dof_handler, side, zero, values, across);
     return values;
   }
 

@@ -80,7 +80,7 @@ namespace Immersed
     bool
     refine();
 
-    /// Velocities at the inlet and on the walls.
+    /// Velocities that are given: at the inlet, on the walls, across the ends.
     std::map<types::global_dof_index, double>
     boundary_velocities(const double t);
 

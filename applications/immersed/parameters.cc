@@ -196,6 +196,10 @@ namespace Immersed
     prm.enter_subsection("Leaflets");
     const std::vector<Point<2>> roots = points_of("Roots", prm.get("Roots"));
     const std::vector<Point<2>> ends  = points_of("Tips", prm.get("Tips"));
+    AssertThrow(!roots.empty(),
+                ExcMessage(
+                  "'Leaflets/Roots' is empty; expected the clamped end "
+                  "of each leaflet, for example 2, 0; 2, 1.61."));
     AssertThrow(
       roots.size() == ends.size(),
       ExcMessage("'Leaflets/Roots' has " + std::to_string(roots.size()) +

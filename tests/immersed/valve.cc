@@ -100,7 +100,8 @@ TEST(ImmersedValve, OpensClosesAndHolds)
   EXPECT_GT(largest_gap, 0.3); // opened
   EXPECT_GT(most, 0.5);        // flow forth
   EXPECT_GT(last[pairs], 0.);  // closed
-  EXPECT_LT(std::abs(last[in]), 0.1 * most);
+  // spring and mass have swung out
+  EXPECT_LT(std::abs(last[in]), 0.02 * most);
 }
 
 
@@ -148,12 +149,12 @@ TEST(ImmersedValve, WrongScenesAreRefusedInWords)
                           const std::string &value) -> std::string {
     ParameterHandler prm;
     Parameters::declare(prm);
-    prm.enter_subsection(section);
-    prm.set(entry, value);
-    prm.leave_subsection();
     Parameters parameters;
     try
       {
+        prm.enter_subsection(section);
+        prm.set(entry, value);
+        prm.leave_subsection();
         parameters.read(prm);
         Structure::Log log(MPI_COMM_SELF, true);
         ImmersedFlow   flow(parameters, "", log);
@@ -174,5 +175,6 @@ TEST(ImmersedValve, WrongScenesAreRefusedInWords)
   says(message("Leaflets", "Tips", "2, 0.7; 2, 1.61"), "no length");
   says(message("Fluid", "Inflow value", "5*(y"), "expected a formula");
   says(message("Steps", "Smallest step", "1"), "no more than");
-  says(message("Contact", "Stiffness scale", "-1"), "Stiffness scale");
+  says(message("Contact", "Stiffness scale", "-1"), "does not match");
+  says(message("Leaflets", "Roots", ""), "is empty");
 }

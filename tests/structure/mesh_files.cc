@@ -346,6 +346,12 @@ TEST(MeshFiles, AbaqusShellErrorsNameFileAndLine)
             std::string::npos);
   EXPECT_NE(error("20, 1., 0", "20, one, 0").find("line 5 has 'one'"),
             std::string::npos);
+  EXPECT_NE(error("*", "*\n*").find("line 1 has '*'; expected a keyword"),
+            std::string::npos);
+  EXPECT_NE(error("*ELEMENT",
+                  "*ELSET, ELSET=ALL, GENERATE\n1, 2000000000\n*ELEMENT")
+              .find("at most 100000000 elements"),
+            std::string::npos);
   EXPECT_NE(error("Panel\n7", "Panel\n9").find("element 7 belongs to no"),
             std::string::npos);
   EXPECT_NE(error("8, 20, 30, 60, 50", "8, 20, 30, 30, 30").find("fewer than"),
