@@ -62,8 +62,10 @@ namespace
       , dof_handler(mesh)
     {
       dof_handler.distribute_dofs(fluid.fe);
-      AffineConstraints<double> constraints;
-      DoFTools::make_hanging_node_constraints(dof_handler, constraints);
+      AffineConstraints<double> hanging_nodes, constraints;
+      DoFTools::make_hanging_node_constraints(dof_handler, hanging_nodes);
+      constraints.merge(hanging_nodes);
+      hanging_nodes.close();
       std::map<types::global_dof_index, double> values;
       for (const auto &[id, function] : velocities)
         VectorTools::interpolate_boundary_values(
@@ -94,6 +96,7 @@ namespace
       residual.reinit(u);
       for (const auto &[dof, value] : values)
         u(dof) = value;
+      hanging_nodes.distribute(u); // they follow those at the boundary
       Vector<double> update(u);
       for (unsigned int i = 0; i < 12; ++i)
         {

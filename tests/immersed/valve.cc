@@ -169,7 +169,7 @@ TEST(ImmersedValve, WrongScenesAreRefusedInWords)
   const auto says = [&](const std::string &text, const std::string &words) {
     EXPECT_NE(text.find(words), std::string::npos) << text;
   };
-  says(message("Leaflets", "Tips", "2, 0.7"), "expected one of each");
+  says(message("Leaflets", "Tips", "2, 0.7"), "'Leaflets/Tips' has 1");
   says(message("Leaflets", "Tips", "2, 0.7; 2"), "expected points");
   says(message("Leaflets", "Tips", "2, 0.7; 9, 0.9"), "of the channel");
   says(message("Leaflets", "Tips", "2, 0.7; 2, 1.61"), "no length");

@@ -348,8 +348,8 @@ TEST(MeshFiles, AbaqusShellErrorsNameFileAndLine)
             std::string::npos);
   EXPECT_NE(error("*", "*\n*").find("line 1 has '*'; expected a keyword"),
             std::string::npos);
-  EXPECT_NE(error("*ELEMENT",
-                  "*ELSET, ELSET=ALL, GENERATE\n1, 2000000000\n*ELEMENT")
+  EXPECT_NE(error("*Element",
+                  "*Elset, elset=many, generate\n1, 2000000000\n*Element")
               .find("at most 100000000 elements"),
             std::string::npos);
   EXPECT_NE(error("Panel\n7", "Panel\n9").find("element 7 belongs to no"),
