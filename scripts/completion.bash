@@ -45,4 +45,5 @@ _mortar_contact() {
 }
 
 shopt -s extglob
-complete -F _mortar_contact contact_scene dummy_on_hood rubber_fit shell_leaflet
+complete -F _mortar_contact contact_scene dummy_on_hood immersed_leaflets rubber_fit \
+  shell_leaflet

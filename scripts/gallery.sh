@@ -16,13 +16,15 @@ show() {
 show prm/rubber_fit.prm pressure.png rubber_fit
 show prm/dummy_on_hood.prm hood.png hood
 show prm/shell_leaflet.prm valve.png valve
+show prm/immersed_leaflets.prm flow.png flow
 show prm/tutorial/07_self_contact.prm run.png tube
 show prm/tutorial/08_your_own_mesh.prm run.png hook
 /usr/bin/python3 scripts/plot_run.py output/gallery/hook --time 0.6
 /usr/bin/python3 scripts/shrink.py output/gallery/hook/run.png $pictures/hook.png
 show prm/verification/ironing.prm run.png ironing
 show prm/verification/hemisphere.prm run.png hemisphere
-for more in rubber_fit/section rubber_fit/overlap hood/force valve/valve_history; do
+for more in rubber_fit/section rubber_fit/overlap hood/force valve/valve_history \
+  flow/flow_history; do
   /usr/bin/python3 scripts/shrink.py "output/gallery/$more.png" \
     "$pictures/$(basename "$more").png"
 done

@@ -525,17 +525,32 @@ namespace Immersed
   void
   ImmersedFlow::write_summary(const std::string &status)
   {
+    Utilities::System::MemoryStats memory;
+    Utilities::System::get_memory_stats(memory);
     nlohmann::json json;
     json["status"]                       = status;
+    json["version"]                      = "0.1.0";
+    json["deal.II version"]              = DEAL_II_PACKAGE_VERSION;
+    json["ranks"]                        = 1;
     json["steps"]                        = step;
     json["time"]                         = time;
     json["newton_iterations"]            = newton_iterations;
     json["cut_backs"]                    = cut_backs;
     json["cells"]                        = mesh.n_active_cells();
     json["dofs"]                         = flow.size() + leaflet.u.size();
+    json["peak_memory_kB"]               = memory.VmHWM;
     json["wall_seconds"]                 = wall.wall_time();
     json["seconds"]["assembly, contact"] = assembly_seconds;
     json["seconds"]["linear solver"]     = solver_seconds;
+    if (contact)
+      {
+        const MortarContact::ContactReport &r = contact->report();
+        nlohmann::json                     &j = json["interfaces"]["leaflets"];
+        j["force"]                            = {r.force[0], r.force[1]};
+        j["largest_penetration"]              = r.largest_penetration;
+        j["penetration_over_release"]         = r.relative_penetration;
+        j["largest_pressure"]                 = r.largest_pressure;
+      }
     for (const auto &[name, value] : record(last_step, last_iterations))
       json["last"][name] = value;
     output.text_file("summary.json", json.dump(2) + "\n");

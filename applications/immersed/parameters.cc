@@ -121,10 +121,10 @@ namespace Immersed
     prm.leave_subsection();
 
     prm.enter_subsection("Contact");
-    prm.declare_entry("Contact",
+    prm.declare_entry("Leaflets touch",
                       "true",
                       Patterns::Bool(),
-                      "Of the leaflets with each other and with themselves.");
+                      "Each other and themselves; false: no contact.");
     MortarContact::ContactParameters::declare(prm);
     prm.set("Kind", std::string("automatic single surface"));
     prm.leave_subsection();
@@ -232,7 +232,7 @@ namespace Immersed
     prm.leave_subsection();
 
     prm.enter_subsection("Contact");
-    has_contact = prm.get_bool("Contact");
+    has_contact = prm.get_bool("Leaflets touch");
     contact.read(prm);
     prm.leave_subsection();
 

@@ -164,12 +164,13 @@ TEST_P(Bounces, KeepEnergyAndImpulse)
 {
   const double mass = 0.1, speed = 0.01, stiffness = 0.02;
   const double contact_time = numbers::PI * std::sqrt(mass / stiffness);
-  const auto   springs      = [&](const std::string &name,
+  // force = 0.1 K g/l times the area 0.1 of the end
+  const auto springs = [&](const std::string &name,
                            const std::string &end,
                            const std::string &wall) {
     return interface(name,
                      "Secondary = bar: boundary " + end + "|Primary = " + wall +
-                       "|Law = linear|Stiffness = " + num(stiffness / 2.) +
+                       "|Law = linear|Stiffness = " + num(50. * stiffness) +
                        "|Characteristic length = 0.5|Release = report");
   };
   Log  log(MPI_COMM_WORLD, true);
