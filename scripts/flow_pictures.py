@@ -3,7 +3,7 @@
 
 Usage: scripts/flow_pictures.py FOLDER
 
-Writes FOLDER/flow.png (speed of the fluid, streamlines and leaflets at six times) and
+Writes FOLDER/flow.png (speed of the fluid and leaflets at six times that differ) and
 FOLDER/flow_history.png (flow, pressures, tips and contact force over time).
 """
 import csv
@@ -16,6 +16,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 import vtk
+from matplotlib.collections import LineCollection
 from vtk.util.numpy_support import vtk_to_numpy
 
 from vtu_polygons import files_at
@@ -57,29 +58,30 @@ def main():
     series = {name: np.array([float(row[name]) for row in rows]) for name in rows[0]}
     time = series["time"]
 
-    # fluid, then leaflets
+    # equal shares of the path of a tip, and of time; files of the fluid, of the leaflets
+    path = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(series["leaflet_0:tip_y"])))])
+    path = path / max(path[-1], 1e-300) + 0.3 * time / time[-1]
     states = []
-    for t in np.linspace(time[0], time[-1], N_TIMES):
-        now, files = files_at(folder, "solution.pvd", t)
+    for share in np.linspace(0.0, 1.0, N_TIMES):
+        now, files = files_at(folder, "solution.pvd", float(np.interp(share * path[-1], path, time)))
         states.append((now, sorted(files.values())))
-    flows = [flow_of(files[0]) for _, files in states]
-    fastest = max(np.linalg.norm(flow[3], axis=1).max() for flow in flows)
-    figure, axes = plt.subplots(N_TIMES, 1, figsize=(9, 2.1 * N_TIMES), sharex=True)
-    for axis, (now, files), (x, y, triangles, velocity) in zip(axes, states, flows):
+    figure, axes = plt.subplots(N_TIMES // 2, 2, figsize=(11, 1.9 * N_TIMES // 2))
+    for axis, (now, files) in zip(axes.T.flat, states):
+        x, y, triangles, velocity = flow_of(files[0])
         speed = np.linalg.norm(velocity, axis=1)
-        colours = axis.tricontourf(
-            x, y, triangles, speed, levels=np.linspace(0.0, max(fastest, 1e-300), 33)
+        axis.tricontourf(
+            x, y, triangles, speed, levels=np.linspace(0.0, max(speed.max(), 1e-12), 33)
         )
         lines = lines_of(files[1])
-        for line in lines:
-            axis.plot(line[:, 0], line[:, 1], "w-", linewidth=3)
-            axis.plot(line[:, 0], line[:, 1], "r-", linewidth=1.5)
+        axis.add_collection(LineCollection(lines, colors="w", linewidths=3, capstyle="round"))
+        axis.add_collection(LineCollection(lines, colors="r", linewidths=1.5, capstyle="round"))
         axis.set_aspect("equal")
         # where the leaflets are, with as much again on either side
-        middle, reach = lines[..., 0].mean(), 2.0 * np.ptp(y)
-        axis.set_xlim(max(x.min(), middle - reach), min(x.max(), middle + 1.5 * reach))
-        axis.set_title(f"time {now:.3g}", fontsize=8, loc="left")
-        figure.colorbar(colours, ax=axis, label="speed", format="%.2g")
+        middle, reach = lines[..., 0].mean(), 1.5 * np.ptp(y)
+        axis.set_xlim(max(x.min(), middle - reach), min(x.max(), middle + reach))
+        axis.set_title(f"time {now:.3g}, speed to {speed.max():.2g}", fontsize=8, loc="left")
+        axis.set_xticks([])
+        axis.set_yticks([])
     figure.tight_layout()
     figure.savefig(os.path.join(folder, "flow.png"), dpi=110)
 
