@@ -173,7 +173,7 @@ namespace Immersed
   ImmersedFlow::refine()
   {
     // refine what holds leaflets, with a margin of its own size; coarsen what
-    // is farther away than two of them
+    // is farther away than three of them
     const std::vector<Point<2>> places = coupling->places();
     const auto near = [&](const auto &cell, const double margin) {
       BoundingBox<2> box = cell->bounding_box();
@@ -310,9 +310,16 @@ namespace Immersed
                  " iterations";
 
         timer.restart();
-        SparseDirectUMFPACK solver;
-        solver.initialize(matrix);
-        solver.vmult(update, rhs);
+        try
+          {
+            SparseDirectUMFPACK solver;
+            solver.initialize(matrix);
+            solver.vmult(update, rhs);
+          }
+        catch (const ExceptionBase &)
+          {
+            return "the matrix is singular";
+          }
         // saddle points can make it lose all digits in silence
         Vector<double> rest(rhs);
         const double   left_over = matrix.residual(rest, update, rhs);
@@ -413,6 +420,17 @@ namespace Immersed
 
 
   Structure::ExitCode
+  ImmersedFlow::give_up(const std::string &reason)
+  {
+    save();
+    write_summary("no convergence");
+    log.line("No convergence: " + reason + " Last good state: time " +
+             number(time) + ".");
+    return Structure::no_convergence;
+  }
+
+
+  Structure::ExitCode
   ImmersedFlow::run()
   {
     if (step == 0)
@@ -427,11 +445,20 @@ namespace Immersed
     double       dt  = last_step;
     while (time < end)
       {
-        if (step > 0 && parameters.refine_every > 0 &&
-            step % parameters.refine_every == 0)
-          refine();
-        else
-          coupling->locate(leaflet.u);
+        try
+          {
+            if (step > 0 && parameters.refine_every > 0 &&
+                step % parameters.refine_every == 0)
+              refine();
+            else
+              coupling->locate(leaflet.u);
+          }
+        catch (const ExcMessage &e)
+          {
+            std::ostringstream reason;
+            e.print_info(reason);
+            return give_up(Utilities::trim(reason.str()));
+          }
         const double left_over = parameters.end_time - time;
         double       tried =
           (left_over < dt * (1. + 1e-9)) ? left_over : std::min(dt, left_over);
@@ -444,15 +471,8 @@ namespace Immersed
             tried *= 0.5;
             log.line("  step rejected: " + reason + "; next " + number(tried));
             if (tried < parameters.smallest_step)
-              {
-                save();
-                write_summary("no convergence");
-                log.line(
-                  "No convergence: the step fell below 'Smallest step', " +
-                  number(parameters.smallest_step) +
-                  ". Last good state: time " + number(time) + ".");
-                return Structure::no_convergence;
-              }
+              return give_up("the step fell below 'Smallest step', " +
+                             number(parameters.smallest_step) + ".");
             reason = try_step(tried);
           }
         dt = (last_iterations <= parameters.n_iterations / 2) ?

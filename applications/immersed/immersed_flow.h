@@ -91,6 +91,10 @@ namespace Immersed
     std::vector<std::pair<std::string, double>>
     record(const double time_step, const unsigned int iterations) const;
 
+    /// Save the last good state and say why there is no next one.
+    Structure::ExitCode
+    give_up(const std::string &reason);
+
     void
     write_fields();
 

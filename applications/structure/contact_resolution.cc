@@ -104,6 +104,10 @@ namespace Structure
           r.smallest_gap < std::numeric_limits<double>::max() ?
                                        r.smallest_gap :
                                        std::numeric_limits<double>::infinity();
+        resolved.largest_gap =
+          r.largest_gap > std::numeric_limits<double>::lowest() ?
+            r.largest_gap :
+            std::numeric_limits<double>::infinity();
         std::tie(resolved.gap_jump, resolved.height) =
           jump_and_height(*model.interfaces[i], model.communicator);
         if (before.size() == last.size() && r.active_area > 0.)
@@ -128,6 +132,7 @@ namespace Structure
     for (const Resolved &i : interfaces)
       {
         row.emplace_back(i.name + ":smallest_gap", i.smallest_gap);
+        row.emplace_back(i.name + ":largest_gap", i.largest_gap);
         row.emplace_back(i.name + ":gap_jump", i.gap_jump);
         row.emplace_back(i.name + ":height", i.height);
         row.emplace_back(i.name + ":last_change", i.change);
@@ -150,7 +155,8 @@ namespace Structure
     for (const Resolved &i : interfaces)
       if (i.height > 0.)
         result.push_back("  '" + i.name + "' is resolved: smallest gap " +
-                         number(i.smallest_gap) + ", jumps of " +
+                         number(i.smallest_gap) + ", largest " +
+                         number(i.largest_gap) + ", jumps of " +
                          number(100. * i.gap_jump, 2) +
                          " % of a facet, changed by " + number(i.change, 2) +
                          " in the last iteration");

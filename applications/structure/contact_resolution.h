@@ -46,7 +46,7 @@ namespace Structure
     {
       std::string name;
       /// Between facets that look at each other [m]; negative: penetration.
-      double smallest_gap = 0.;
+      double smallest_gap = 0., largest_gap = 0.;
       /// Largest difference of the penetrations of two facets with a common
       /// vertex, over their size [-].
       double gap_jump = 0.;

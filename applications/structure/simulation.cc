@@ -751,6 +751,10 @@ namespace Structure
   {
     model.integration.dt = 0.; // reactions are static
     (void)model.assemble(u, time, false);
+    // history follows facets, not points: evaluated anew, friction is not quite
+    // what was accepted
+    for (const auto &interface : model.interfaces)
+      interface->rollback();
   }
 
 

@@ -407,7 +407,8 @@ namespace MortarContact
                                  parameters.removal_time));
     number_parts();
     evaluate(0., false);
-    is_set_up = true;
+    accepted_report = last_report;
+    is_set_up       = true;
   }
 
 
@@ -596,6 +597,7 @@ namespace MortarContact
     committed_values            = values;
     accepted_values             = values;
     last_report.n_augmentations = 0;
+    accepted_report             = last_report;
   }
 
 
@@ -659,8 +661,15 @@ namespace MortarContact
     // update() replaces it.
     for (const auto &sweep : sweeps)
       sweep->rollback();
-    last_time                   = committed_time;
-    last_report.n_augmentations = 0;
+    last_time = committed_time;
+
+    // what was spent, and the pattern, are not undone
+    ContactReport accepted         = accepted_report;
+    accepted.search_seconds        = last_report.search_seconds;
+    accepted.evaluate_seconds      = last_report.evaluate_seconds;
+    accepted.n_augmentations_total = last_report.n_augmentations_total;
+    accepted.couplings_changed     = last_report.couplings_changed;
+    last_report                    = accepted;
   }
 
 

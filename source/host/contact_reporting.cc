@@ -124,8 +124,8 @@ namespace MortarContact
   {
     ContactReport &r = last_report;
     // Step 1: sums and maxima of this rank.
-    std::vector<double> sums(18, 0.), maxima(7, 0.);
-    maxima[2] = std::numeric_limits<double>::lowest();
+    std::vector<double> sums(18, 0.), maxima(8, 0.);
+    maxima[2] = maxima[7] = std::numeric_limits<double>::lowest();
     std::vector<DeepPenetration> worst;
     for (unsigned int i = 0; i < sweeps.size(); ++i)
       {
@@ -141,6 +141,7 @@ namespace MortarContact
         for (unsigned int k = 0; k < 7; ++k)
           sums[k] += added[k];
         maxima[2] = std::max(maxima[2], -counts.smallest_gap);
+        maxima[7] = std::max(maxima[7], counts.largest_gap);
         maxima[3] = std::max(maxima[3], counts.overlap);
         for (const auto &pair : sweep.active_pairs())
           {
@@ -243,6 +244,7 @@ namespace MortarContact
     r.largest_penetration  = maxima[0];
     r.relative_penetration = maxima[1];
     r.smallest_gap         = -maxima[2];
+    r.largest_gap          = maxima[7];
     r.largest_overlap      = maxima[3];
     r.slip_area            = sums[16];
     r.dissipation          = dissipation + sums[17];

@@ -142,6 +142,7 @@ namespace MortarContact
     last_time        = committed_time;
     committed_values = values;
     accepted_values  = values;
+    accepted_report  = last_report;
   }
 
 

@@ -304,6 +304,8 @@ namespace MortarContact
     last_counts.beyond += block.n_beyond > 0;
     last_counts.smallest_gap =
       std::min(last_counts.smallest_gap, block.smallest_gap);
+    last_counts.largest_gap =
+      std::max(last_counts.largest_gap, block.largest_gap);
     last_counts.overlap = std::max(last_counts.overlap, block.overlap);
   }
 

@@ -139,6 +139,7 @@ namespace MortarContact
         return;
       }
     block.smallest_gap = std::min(block.smallest_gap, -d);
+    block.largest_gap  = std::max(block.largest_gap, -d);
     block.overlap      = std::max(block.overlap, k.overlap);
     if (!(d + k.augmentation > 0.))
       return;

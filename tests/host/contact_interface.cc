@@ -723,7 +723,8 @@ TEST(ContactInterface, FrictionRemembersAndItsTangentIsExact)
       contact.update(shift(blocks, Tensor<1, 3>({0.004, 0.002, 0.})), 0.5);
       EXPECT_GT(contact.report().elastic_slip, 0.);
       contact.commit(0.5);
-      std::stringstream saved;
+      const ContactReport accepted = contact.report();
+      std::stringstream   saved;
       contact.save(saved);
       const auto u = shift(blocks, Tensor<1, 3>({0.006, -0.003, -0.002}));
       EXPECT_LT(contact.check_tangent(u, 1.), 2e-6);
@@ -741,6 +742,10 @@ TEST(ContactInterface, FrictionRemembersAndItsTangentIsExact)
       EXPECT_NEAR(other.report().dissipation,
                   r.dissipation,
                   1e-14 * r.dissipation);
+
+      contact.rollback();
+      EXPECT_EQ(contact.report().force, accepted.force);
+      EXPECT_EQ(contact.report().dissipation, accepted.dissipation);
     }
 }
 

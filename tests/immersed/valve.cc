@@ -142,6 +142,28 @@ TEST(ImmersedValve, GoesOnFromACheckpoint)
 }
 
 
+// A leaflet that nothing stops is pushed through the end of its channel: said
+// in words, the last state is saved.
+TEST(ImmersedValve, LeafletsThatLeaveTheChannelEndTheRun)
+{
+  const std::string folder     = "output-immersed-lost";
+  Parameters        parameters = closing_valve(folder);
+  parameters.leaflets = {{Point<2>(3.6, 0.), Point<2>(3.9, 0.5), 8, false}};
+  parameters.material.youngs_modulus = 1e3;
+  parameters.inflow                  = "200";
+  Structure::Log log(MPI_COMM_SELF, true);
+  ImmersedFlow   lost(parameters, "", log);
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(lost.run(), Structure::no_convergence);
+  EXPECT_NE(testing::internal::GetCapturedStderr().find("leaves the channel"),
+            std::string::npos);
+  ImmersedFlow again(parameters, "", log);
+  again.restart(folder);
+  EXPECT_EQ(again.time, lost.time);
+  EXPECT_GT(again.time, 0.);
+}
+
+
 TEST(ImmersedValve, WrongScenesAreRefusedInWords)
 {
   const auto message = [](const std::string &section,

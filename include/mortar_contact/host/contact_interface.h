@@ -205,11 +205,12 @@ namespace MortarContact
     void
     commit(const double time);
 
-    /// Forget the last update(): nothing of it has touched the history.
+    /// Forget the last update(): nothing of it has touched the history, and
+    /// report() is that of the last commit() again.
     void
     rollback();
 
-    /// Of the last update(), or of setup().
+    /// Of the last update(), of setup(), or, after rollback(), of commit().
     const ContactReport &
     report() const
     {
@@ -509,11 +510,12 @@ namespace MortarContact
     std::vector<std::unique_ptr<ContactSweep<dim>>> sweeps;
     std::unique_ptr<TieSweep<dim>>                  tie_sweep;
     ContactReport                                   last_report;
-    bool                                            pattern_is_current = false;
-    bool   has_tangent       = false; ///< Of the last update().
-    bool   is_finite         = true;  ///< So are all values fetched.
-    bool   is_augmented      = true;  ///< Penetrations are below the tolerance.
-    double largest_tool_step = 1.;    ///< See check_motion_of_tools().
+    ContactReport accepted_report; ///< Of the last commit(), or of setup().
+    bool          pattern_is_current = false;
+    bool          has_tangent        = false; ///< Of the last update().
+    bool          is_finite          = true;  ///< So are all values fetched.
+    bool   is_augmented      = true; ///< Penetrations are below the tolerance.
+    double largest_tool_step = 1.;   ///< See check_motion_of_tools().
     std::vector<std::string>  part_names;
     std::vector<unsigned int> part_of_facet[2];
     unsigned int              part_of_obstacle = 0;

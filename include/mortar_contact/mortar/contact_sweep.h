@@ -71,7 +71,9 @@ namespace MortarContact
       unsigned int degenerate = 0; ///< Without a usable shape.
       /// Of open pairs [m].
       double smallest_gap = std::numeric_limits<double>::max();
-      double overlap      = 0.; ///< Largest depth of the meshes [m].
+      /// Of all pairs that overlap [m].
+      double largest_gap = std::numeric_limits<double>::lowest();
+      double overlap     = 0.; ///< Largest depth of the meshes [m].
     };
 
     /// @param friction Null: none, and nothing of it is stored.

@@ -37,6 +37,8 @@ namespace MortarContact
     double overlap = 0.;
     /// Of points in front of the primary [m].
     double smallest_gap = std::numeric_limits<double>::max();
+    /// Of all points; below 0 where all penetrate [m].
+    double largest_gap = std::numeric_limits<double>::lowest();
     /// Contact points of the pair,
     unsigned int n_points = 0;
     /// and those of them that penetrate.

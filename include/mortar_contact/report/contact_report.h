@@ -99,24 +99,26 @@ namespace MortarContact
     unsigned int beyond_pairs     = 0; ///< Points behind the other surface.
     unsigned int degenerate_pairs = 0; ///< Facets without a usable shape.
 
-    double      active_area          = 0.; ///< Undeformed [m^2]
-    double      slip_area            = 0.; ///< Of it, sliding [m^2]
-    double      dissipation          = 0.; ///< By friction, since setup() [J]
-    double      elastic_slip         = 0.; ///< Largest of present points [m]
-    double      whole_tied_area      = 0.; ///< Ties without damage [m^2]
-    double      failed_tied_area     = 0.; ///< Ties that failed [m^2]
-    double      damage_dissipation   = 0.; ///< By ties, since setup() [J]
-    double      largest_tie_jump     = 0.; ///< Of ties that hold [m]
-    double      energy               = 0.; ///< In the contact springs [J]
-    double      largest_penetration  = 0.; ///< [m]
-    double      largest_pressure     = 0.; ///< Per undeformed area [Pa]
-    double      relative_penetration = 0.; ///< Largest, over the release depth.
-    double      mean_penetration     = 0.; ///< Over the active area [m]
-    double      largest_overlap      = 0.; ///< Of the meshes, see PairBlock [m]
-    double      smallest_gap = std::numeric_limits<double>::max(); ///< [m]
-    std::string force_on; ///< Single surface: part that force acts on.
-    Tensor<1, 3> force;   ///< Resultant [N]
-    Tensor<1, 3> moment;  ///< About the origin [N m]
+    double active_area          = 0.; ///< Undeformed [m^2]
+    double slip_area            = 0.; ///< Of it, sliding [m^2]
+    double dissipation          = 0.; ///< By friction, since setup() [J]
+    double elastic_slip         = 0.; ///< Largest of present points [m]
+    double whole_tied_area      = 0.; ///< Ties without damage [m^2]
+    double failed_tied_area     = 0.; ///< Ties that failed [m^2]
+    double damage_dissipation   = 0.; ///< By ties, since setup() [J]
+    double largest_tie_jump     = 0.; ///< Of ties that hold [m]
+    double energy               = 0.; ///< In the contact springs [J]
+    double largest_penetration  = 0.; ///< [m]
+    double largest_pressure     = 0.; ///< Per undeformed area [Pa]
+    double relative_penetration = 0.; ///< Largest, over the release depth.
+    double mean_penetration     = 0.; ///< Over the active area [m]
+    double largest_overlap      = 0.; ///< Of the meshes, see PairBlock [m]
+    double smallest_gap         = std::numeric_limits<double>::max(); ///< [m]
+    /// Of the facets that overlap as candidates do; lowest() if none [m].
+    double       largest_gap = std::numeric_limits<double>::lowest();
+    std::string  force_on; ///< Single surface: part that force acts on.
+    Tensor<1, 3> force;    ///< Resultant [N]
+    Tensor<1, 3> moment;   ///< About the origin [N m]
 
     /// Contact force on one part, and its moment about the origin.
     struct Part
