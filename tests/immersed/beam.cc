@@ -36,10 +36,10 @@ namespace
 TEST(Beam, ForcesAndTangentAreDerivatives)
 {
   const BeamMaterial       material = {7., 0.3, 0.2, 1.};
-  const BeamElement::Nodes X        = {Tensor<1, 2>({0.1, 0.}),
-                                       Tensor<1, 2>({0.9, 0.4}),
-                                       Tensor<1, 2>({-0.45, 0.9}),
-                                       Tensor<1, 2>({-0.4, 0.92})};
+  const BeamElement::Nodes X        = {{Tensor<1, 2>({0.1, 0.}),
+                                        Tensor<1, 2>({0.9, 0.4}),
+                                        Tensor<1, 2>({-0.45, 0.9}),
+                                        Tensor<1, 2>({-0.4, 0.92})}};
   BeamElement::Nodes       x        = turned(X, 0.8);
   for (unsigned int i = 0; i < x.size(); ++i)
     x[i] += Tensor<1, 2>({0.03 * i, 0.02 - 0.05 * i});
@@ -68,10 +68,10 @@ TEST(Beam, ForcesAndTangentAreDerivatives)
 
 TEST(Beam, RigidMotionsCostNothing)
 {
-  const BeamElement::Nodes X = {Tensor<1, 2>({0., 0.}),
-                                Tensor<1, 2>({2., 1.}),
-                                Tensor<1, 2>({-0.4, 0.9}),
-                                Tensor<1, 2>({-0.5, 0.8})};
+  const BeamElement::Nodes X = {{Tensor<1, 2>({0., 0.}),
+                                 Tensor<1, 2>({2., 1.}),
+                                 Tensor<1, 2>({-0.4, 0.9}),
+                                 Tensor<1, 2>({-0.5, 0.8})}};
   const BeamElement        element({5., 0.2, 0.3, 1.}, X);
   for (const double angle : {0.3, 2., 3.1})
     {
