@@ -29,7 +29,7 @@ namespace Immersed
              const double         beta);
 
     /// Find the cells of the fluid that the leaflets lie in at @p leaflet_u.
-    /// @throw ExcMessage if a leaflet leaves the fluid.
+    /// @throw ExcMessage if a leaflet is not within the fluid.
     void
     locate(const Vector<double> &leaflet_u);
 

@@ -339,6 +339,10 @@ namespace Immersed
         for (unsigned int k = 0; k < flow.size(); ++k)
           now(k) += share * update(n + k);
       }
+    for (unsigned int l = 0; l < parameters.leaflets.size(); ++l)
+      if (!leaflets.is_within(
+            Point<2>(), Point<2>(parameters.length, parameters.height), l, u))
+        return "leaflet " + std::to_string(l) + " leaves the channel";
     if (contact)
       {
         const MortarContact::StepAdvice advice = contact->advice();
@@ -445,20 +449,11 @@ namespace Immersed
     double       dt  = last_step;
     while (time < end)
       {
-        try
-          {
-            if (step > 0 && parameters.refine_every > 0 &&
-                step % parameters.refine_every == 0)
-              refine();
-            else
-              coupling->locate(leaflet.u);
-          }
-        catch (const ExcMessage &e)
-          {
-            std::ostringstream reason;
-            e.print_info(reason);
-            return give_up(Utilities::trim(reason.str()));
-          }
+        if (step > 0 && parameters.refine_every > 0 &&
+            step % parameters.refine_every == 0)
+          refine();
+        else
+          coupling->locate(leaflet.u);
         const double left_over = parameters.end_time - time;
         double       tried =
           (left_over < dt * (1. + 1e-9)) ? left_over : std::min(dt, left_over);

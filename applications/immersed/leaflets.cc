@@ -238,6 +238,28 @@ namespace Immersed
   }
 
 
+  bool
+  Leaflets::is_within(const Point<2>       &low,
+                      const Point<2>       &high,
+                      const unsigned int    leaflet,
+                      const Vector<double> &u) const
+  {
+    // roots stand on walls
+    const double tolerance = 1e-10 * low.distance(high);
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      if (cell->material_id() == leaflet)
+        for (unsigned int a = 0; a < 2; ++a)
+          for (unsigned int c = 0; c < 2; ++c)
+            {
+              const double x =
+                cell->vertex(a)[c] + u(cell->vertex_dof_index(a, c));
+              if (x < low[c] - tolerance || x > high[c] + tolerance)
+                return false;
+            }
+    return true;
+  }
+
+
   void
   Leaflets::write(const std::string &file, const Vector<double> &u) const
   {

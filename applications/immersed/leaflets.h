@@ -79,6 +79,13 @@ namespace Immersed
     Point<2>
     place(const unsigned int vertex, const Vector<double> &u) const;
 
+    /// Whether a leaflet lies between two corners of a box.
+    bool
+    is_within(const Point<2>       &low,
+              const Point<2>       &high,
+              const unsigned int    leaflet,
+              const Vector<double> &u) const;
+
     /// Vertex at the tip of a leaflet.
     unsigned int
     tip(const unsigned int leaflet) const

@@ -19,6 +19,36 @@ namespace Immersed
 
     // exact for u.grad u
     constexpr unsigned int n_gauss = 3;
+
+    /// Call function(velocity, pressure, normal, dx) at points of a boundary.
+    template <class Function>
+    void
+    at_boundary(const FiniteElement<2>  &fe,
+                const DoFHandler<2>     &dof_handler,
+                const Mapping<2>        &mapping,
+                const Vector<double>    &u,
+                const types::boundary_id boundary,
+                const Function          &function)
+    {
+      FEFaceValues<2>           face(mapping,
+                           fe,
+                           QGauss<1>(n_gauss),
+                           update_values | update_normal_vectors |
+                             update_JxW_values);
+      std::vector<Tensor<1, 2>> v(face.n_quadrature_points);
+      std::vector<double>       p(face.n_quadrature_points);
+      for (const auto &cell : dof_handler.active_cell_iterators())
+        for (const unsigned int side : cell->face_indices())
+          if (cell->face(side)->at_boundary() &&
+              cell->face(side)->boundary_id() == boundary)
+            {
+              face.reinit(cell, side);
+              face[velocity].get_function_values(u, v);
+              face[pressure].get_function_values(u, p);
+              for (const unsigned int q : face.quadrature_point_indices())
+                function(v[q], p[q], face.normal_vector(q), face.JxW(q));
+            }
+    }
   } // namespace
 
 
@@ -184,23 +214,16 @@ namespace Immersed
                      const Vector<double>    &u,
                      const types::boundary_id boundary) const
   {
-    FEFaceValues<2>           face(mapping,
-                         fe,
-                         QGauss<1>(n_gauss),
-                         update_values | update_normal_vectors |
-                           update_JxW_values);
-    std::vector<Tensor<1, 2>> v(face.n_quadrature_points);
-    double                    result = 0.;
-    for (const auto &cell : dof_handler.active_cell_iterators())
-      for (const unsigned int side : cell->face_indices())
-        if (cell->face(side)->at_boundary() &&
-            cell->face(side)->boundary_id() == boundary)
-          {
-            face.reinit(cell, side);
-            face[velocity].get_function_values(u, v);
-            for (const unsigned int q : face.quadrature_point_indices())
-              result += v[q] * face.normal_vector(q) * face.JxW(q);
-          }
+    double result = 0.;
+    at_boundary(fe,
+                dof_handler,
+                mapping,
+                u,
+                boundary,
+                [&](const auto &v,
+                    const double,
+                    const auto  &n,
+                    const double dx) { result += v * n * dx; });
     return result;
   }
 
@@ -211,25 +234,17 @@ namespace Immersed
                               const Vector<double>    &u,
                               const types::boundary_id boundary) const
   {
-    FEFaceValues<2>     face(mapping,
-                         fe,
-                         QGauss<1>(n_gauss),
-                         update_values | update_JxW_values);
-    std::vector<double> p(face.n_quadrature_points);
-    double              sum = 0., length = 0.;
-    for (const auto &cell : dof_handler.active_cell_iterators())
-      for (const unsigned int side : cell->face_indices())
-        if (cell->face(side)->at_boundary() &&
-            cell->face(side)->boundary_id() == boundary)
-          {
-            face.reinit(cell, side);
-            face[pressure].get_function_values(u, p);
-            for (const unsigned int q : face.quadrature_point_indices())
-              {
-                sum += p[q] * face.JxW(q);
-                length += face.JxW(q);
-              }
-          }
+    double sum = 0., length = 0.;
+    at_boundary(
+      fe,
+      dof_handler,
+      mapping,
+      u,
+      boundary,
+      [&](const auto &, const double p, const auto &, const double dx) {
+        sum += p * dx;
+        length += dx;
+      });
     AssertThrow(length > 0., ExcMessage("No face has the boundary id."));
     return sum / length;
   }
