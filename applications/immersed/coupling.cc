@@ -33,6 +33,7 @@ namespace Immersed
     const double              h       = GridTools::minimal_cell_diameter(mesh);
     const FiniteElement<2>   &fe_u    = fluid.fe.base_element(0);
     n_fluid                           = 2 * fe_u.n_dofs_per_cell();
+    std::vector<types::global_dof_index>   of_cell(fluid.fe.n_dofs_per_cell());
     Triangulation<2>::active_cell_iterator hint;
     for (const auto &cell : leaflets.dof_handler.active_cell_iterators())
       {
@@ -81,8 +82,6 @@ namespace Immersed
               &mesh, at.first->level(), at.first->index(), &fluid_dofs);
             const Point<2> unit =
               mapping.transform_real_to_unit_cell(at.first, point.place);
-            std::vector<types::global_dof_index> of_cell(
-              fluid.fe.n_dofs_per_cell());
             fluid_cell->get_dof_indices(of_cell);
             for (unsigned int k = 0; k < fe_u.n_dofs_per_cell(); ++k)
               for (unsigned int c = 0; c < 2; ++c)
@@ -153,13 +152,14 @@ namespace Immersed
                      SparseMatrix<double>            &matrix,
                      Vector<double>                  &rhs) const
   {
+    const unsigned int n = n_fluid + 4; // two ends of a leaflet's cell
+    FullMatrix<double> K(n, n);
+    Vector<double>     f(n);
     for (const auto &point : points)
       {
-        const unsigned int n  = point.dofs.size();
+        AssertDimension(point.dofs.size(), n);
         const double       by = beta * point.weight;
         const Tensor<1, 2> w  = slip(point, flow, u, old, time_step);
-        FullMatrix<double> K(n, n);
-        Vector<double>     f(n);
         for (unsigned int i = 0; i < n; ++i)
           {
             f(i) = -by * point.shapes[i] * w[i % 2];
@@ -170,19 +170,6 @@ namespace Immersed
         constraints.distribute_local_to_global(
           K, f, system_dofs(point, first), matrix, rhs);
       }
-  }
-
-
-  Tensor<1, 2>
-  Coupling::force_on_fluid(const Vector<double> &flow,
-                           const Vector<double> &u,
-                           const Vector<double> &old,
-                           const double          time_step) const
-  {
-    Tensor<1, 2> result;
-    for (const auto &point : points)
-      result -= beta * point.weight * slip(point, flow, u, old, time_step);
-    return result;
   }
 
 

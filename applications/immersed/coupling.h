@@ -52,13 +52,6 @@ namespace Immersed
              SparseMatrix<double>            &matrix,
              Vector<double>                  &rhs) const;
 
-    /// Force of the leaflets on the fluid [N/m].
-    Tensor<1, 2>
-    force_on_fluid(const Vector<double> &flow,
-                   const Vector<double> &u,
-                   const Vector<double> &old,
-                   const double          time_step) const;
-
     /// Which cell of the fluid couples to which of the leaflets: the pattern of
     /// the matrix depends on these pairs, level, index and cell.
     std::vector<std::array<int, 3>>

@@ -73,7 +73,6 @@ namespace Immersed
                                            tip_id :
                                            root_id);
     dof_handler.distribute_dofs(fe);
-    const Vector<double> zero(dof_handler.n_dofs());
     for (const auto &cell : dof_handler.active_cell_iterators())
       {
         BeamElement::Nodes nodes;
