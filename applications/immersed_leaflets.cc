@@ -69,7 +69,8 @@ int
 main(int argc, char **argv)
 {
   Structure::Program program;
-  program.name = "immersed_leaflets";
+  program.name        = "immersed_leaflets";
+  program.is_parallel = false;
   program.description =
     "Elastic leaflets in an incompressible flow, with contact, in the plane.";
   program.defaults = []() {

@@ -26,9 +26,9 @@ namespace Immersed
 
     // channel
     double       length = 8., height = 1.61; ///< [m]
-    unsigned int n_x = 32, n_y = 8;          ///< Cells.
-    unsigned int n_refinements = 1;          ///< At the leaflets.
-    unsigned int refine_every  = 0;          ///< Steps; 0: at the start only.
+    unsigned int n_x = 40, n_y = 8;          ///< Cells.
+    unsigned int n_refinements = 2;          ///< At the leaflets.
+    unsigned int refine_every  = 10;         ///< Steps; 0: at the start only.
 
     // fluid
     FluidParameters fluid;
@@ -47,7 +47,7 @@ namespace Immersed
     // run
     double       end_time = 1., first_step = 0.01, smallest_step = 0.; ///< [s]
     double       tolerance    = 1e-7; ///< Of the residual [-].
-    unsigned int n_iterations = 12;
+    unsigned int n_iterations = 15;
     std::string  directory    = "output/immersed_leaflets";
     unsigned int output_every = 10; ///< Steps; 0: the last only.
     unsigned int save_every   = 50; ///< Steps between checkpoints; 0: never.

@@ -206,13 +206,10 @@ namespace Structure
       program.name +
       " scene.prm --check          what the scene has, without solving\n"
       "  " +
-      program.name +
-      " scene.prm --set \"Steps/First step=0.01\"\n"
-      "  mpirun -np 2 " +
-      program.name +
-      " scene.prm\n"
-      "  " +
-      program.name +
+      program.name + " scene.prm --set \"Steps/First step=0.01\"\n" +
+      (program.is_parallel ? "  mpirun -np 2 " + program.name + " scene.prm\n" :
+                             "") +
+      "  " + program.name +
       " scene.prm --restart output continue where a run ended\n"
       "Exit codes: 0 finished, 1 wrong input, 2 no convergence (last state "
       "saved),\n"

@@ -36,6 +36,7 @@ namespace Structure
   {
     std::string name;
     std::string description;
+    bool        is_parallel = true; ///< Several ranks may run it.
     /// The annotated defaults.
     std::function<std::string()> defaults;
     /**
@@ -48,7 +49,13 @@ namespace Structure
       run;
   };
 
-  /// What was wrong with a run, or how it ended. See run_driver().
+  /**
+   * The main function of all programs: command line, reading, running, errors.
+   *   APP FILE.prm [--set "Section/Entry=value"]... [--output DIR]
+   *     [--restart DIR] [--print-parameters] [--check] [--quiet] [--help]
+   *     [--version]
+   * @return The exit code, see ExitCode.
+   */
   int
   run_program(const Program &program, int argc, char **argv);
 
@@ -62,13 +69,7 @@ namespace Structure
               const std::function<void(ParameterHandler &)>  &declare,
               const std::function<Scene(ParameterHandler &)> &read);
 
-  /**
-   * The main function of all drivers: command line, reading, running, errors.
-   *   APP FILE.prm [--set "Section/Entry=value"]... [--output DIR]
-   *     [--restart DIR] [--print-parameters] [--check] [--quiet] [--help]
-   *     [--version]
-   * @return The exit code, see ExitCode.
-   */
+  /// run_program() for a driver of scenes.
   int
   run_driver(const Driver &driver, int argc, char **argv);
 } // namespace Structure
