@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "immersed_flow.h"
 
+#include "../structure/checkpoint.h"
 #include "../structure/numbers_of.h"
 #include "../structure/stop_signal.h"
 
@@ -19,13 +20,12 @@
 #include <deal.II/numerics/solution_transfer.h>
 #include <deal.II/numerics/vector_tools.h>
 
-#include <boost/archive/text_iarchive.hpp>
-#include <boost/archive/text_oarchive.hpp>
+#include <boost/archive/binary_iarchive.hpp>
+#include <boost/archive/binary_oarchive.hpp>
 
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -35,7 +35,7 @@ namespace Immersed
 
   namespace
   {
-    // first line of a checkpoint
+    // of a checkpoint
     const char *const checkpoint_title = "MortarContact immersed 1";
 
     // what a direct solver must leave of a right hand side
@@ -169,7 +169,7 @@ namespace Immersed
   }
 
 
-  bool
+  void
   ImmersedFlow::refine()
   {
     // refine what holds leaflets, with a margin of its own size; coarsen what
@@ -195,7 +195,7 @@ namespace Immersed
     for (const auto &cell : mesh.active_cell_iterators())
       changes = changes || cell->refine_flag_set() || cell->coarsen_flag_set();
     if (!changes)
-      return false;
+      return;
     SolutionTransfer<2>  transfer(dof_handler);
     const Vector<double> old = flow;
     transfer.prepare_for_coarsening_and_refinement(old);
@@ -204,7 +204,6 @@ namespace Immersed
     flow.reinit(dof_handler.n_dofs());
     transfer.interpolate(old, flow);
     distribute();
-    return true;
   }
 
 
@@ -449,11 +448,10 @@ namespace Immersed
     double       dt  = last_step;
     while (time < end)
       {
+        coupling->locate(leaflet.u);
         if (step > 0 && parameters.refine_every > 0 &&
             step % parameters.refine_every == 0)
           refine();
-        else
-          coupling->locate(leaflet.u);
         const double left_over = parameters.end_time - time;
         double       tried =
           (left_over < dt * (1. + 1e-9)) ? left_over : std::min(dt, left_over);
@@ -578,40 +576,33 @@ namespace Immersed
   void
   ImmersedFlow::save() const
   {
-    std::ostringstream out;
-    out << checkpoint_title << '\n';
+    std::ostringstream history, out;
+    if (contact)
+      contact->save(history);
+    const std::string text = history.str();
     {
-      boost::archive::text_oarchive archive(out);
+      boost::archive::binary_oarchive archive(out);
       archive << time << step << last_step << newton_iterations << cut_backs
               << largest_force;
       mesh.save(archive, 0);
-      archive << flow << leaflet.u << leaflet.rate;
-      std::ostringstream history;
-      if (contact)
-        contact->save(history);
-      const std::string text = history.str();
-      archive << text;
+      archive << flow << leaflet.u << leaflet.rate << text;
     }
-    std::filesystem::create_directories(parameters.directory + "/checkpoint");
-    output.text_file("checkpoint/state", out.str());
+    Structure::write_state(checkpoint_title,
+                           out.str(),
+                           parameters.directory,
+                           MPI_COMM_SELF);
   }
 
 
   void
   ImmersedFlow::restart(const std::string &directory)
   {
-    const std::string file = directory + "/checkpoint/state";
-    std::ifstream     in(file);
-    std::string       title;
-    AssertThrow(in && std::getline(in, title) && title == checkpoint_title,
-                ExcMessage(
-                  "'" + file +
-                  "' is no checkpoint of immersed_leaflets; expected "
-                  "the folder of a run that was stopped or finished."));
+    std::istringstream in(
+      Structure::read_state(checkpoint_title, directory, MPI_COMM_SELF));
     std::string text;
     try
       {
-        boost::archive::text_iarchive archive(in);
+        boost::archive::binary_iarchive archive(in);
         archive >> time >> step >> last_step >> newton_iterations >>
           cut_backs >> largest_force;
         mesh.clear();
@@ -630,9 +621,9 @@ namespace Immersed
     catch (const std::exception &)
       {
         AssertThrow(false,
-                    ExcMessage("'" + file +
-                               "' is damaged, or belongs to other leaflets or "
-                               "another channel than this parameter file."));
+                    ExcMessage("The checkpoint in '" + directory +
+                               "' belongs to other leaflets or another channel "
+                               "than this parameter file."));
       }
     if (contact)
       {

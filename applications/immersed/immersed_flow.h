@@ -41,7 +41,8 @@ namespace Immersed
     Structure::ExitCode
     run();
 
-    /// One step of this length; no change if Newton's method fails.
+    /// One step of this length from where the leaflets were located; if it
+    /// fails nothing changes but what contact looked at last, see rollback().
     /// @return Why it failed; empty if not.
     std::string
     try_step(const double time_step);
@@ -76,8 +77,8 @@ namespace Immersed
     void
     distribute();
 
-    /// Let the mesh follow the leaflets. @return Whether it changed.
-    bool
+    /// Let the mesh follow the leaflets, as located.
+    void
     refine();
 
     /// Velocities that are given: at the inlet, on the walls, across the ends.

@@ -17,7 +17,7 @@ namespace Structure
 
   namespace
   {
-    const std::string magic = "MortarContact checkpoint 3\n";
+    const std::string title = "MortarContact checkpoint 3";
 
     std::string
     file_in(const std::string &directory)
@@ -38,9 +38,10 @@ namespace Structure
 
 
   void
-  write_checkpoint(const Checkpoint  &checkpoint,
-                   const std::string &directory,
-                   const MPI_Comm     communicator)
+  write_state(const std::string &title,
+              const std::string &text,
+              const std::string &directory,
+              const MPI_Comm     communicator)
   {
     namespace fs            = std::filesystem;
     const std::string file  = file_in(directory);
@@ -50,20 +51,10 @@ namespace Structure
       {
         std::error_code error; // seen below, when nothing can be written
         fs::create_directories(fs::path(file).parent_path(), error);
-        try
-          {
-            std::ostringstream stream;
-            boost::archive::binary_oarchive(stream) << checkpoint;
-            const std::string text = stream.str();
-            std::ofstream     out(fresh, std::ios::binary);
-            out << magic << sum_of(text) << '\n' << text;
-            out.close();
-            ok = !out.fail();
-          }
-        catch (const std::exception &)
-          {
-            ok = false;
-          }
+        std::ofstream out(fresh, std::ios::binary);
+        out << title << '\n' << sum_of(text) << '\n' << text;
+        out.close();
+        ok = !out.fail();
         if (ok)
           fs::rename(fresh, file, error);
         ok = ok && !error;
@@ -75,18 +66,19 @@ namespace Structure
   }
 
 
-  Checkpoint
-  read_checkpoint(const std::string &directory, const MPI_Comm communicator)
+  std::string
+  read_state(const std::string &title,
+             const std::string &directory,
+             const MPI_Comm     communicator)
   {
     const std::string file = file_in(directory);
-    Checkpoint        checkpoint;
-    std::string       failure;
+    std::string       failure, text;
     std::ifstream     in(file, std::ios::binary);
-    std::string       head(magic.size(), ' ');
+    std::string       head(title.size() + 1, ' ');
     std::uint64_t     sum = 0;
     if (!in)
       failure = "there is no such file";
-    else if (!in.read(head.data(), head.size()) || head != magic)
+    else if (!in.read(head.data(), head.size()) || head != title + '\n')
       failure = "it was written by another version, or is no checkpoint";
     else if (!(in >> sum) || in.get() != '\n')
       failure = "it is damaged or truncated";
@@ -94,20 +86,9 @@ namespace Structure
       {
         std::ostringstream rest;
         rest << in.rdbuf();
-        const std::string text = rest.str();
+        text = rest.str();
         if (sum_of(text) != sum)
           failure = "it is damaged or truncated";
-        else
-          try
-            {
-              std::istringstream              stream(text);
-              boost::archive::binary_iarchive archive(stream);
-              archive >> checkpoint;
-            }
-          catch (const std::exception &)
-            {
-              failure = "it was written by another version";
-            }
       }
     for (const auto &f : Utilities::MPI::all_gather(communicator, failure))
       if (!f.empty())
@@ -115,6 +96,39 @@ namespace Structure
     AssertThrow(failure.empty(),
                 ExcMessage("The checkpoint '" + file +
                            "' cannot be continued: " + failure + "."));
+    return text;
+  }
+
+
+  void
+  write_checkpoint(const Checkpoint  &checkpoint,
+                   const std::string &directory,
+                   const MPI_Comm     communicator)
+  {
+    std::ostringstream stream;
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      boost::archive::binary_oarchive(stream) << checkpoint;
+    write_state(title, stream.str(), directory, communicator);
+  }
+
+
+  Checkpoint
+  read_checkpoint(const std::string &directory, const MPI_Comm communicator)
+  {
+    std::istringstream stream(read_state(title, directory, communicator));
+    Checkpoint         checkpoint;
+    try
+      {
+        boost::archive::binary_iarchive archive(stream);
+        archive >> checkpoint;
+      }
+    catch (const std::exception &)
+      {
+        AssertThrow(false,
+                    ExcMessage("The checkpoint '" + file_in(directory) +
+                               "' cannot be continued: it was written by "
+                               "another version."));
+      }
     return checkpoint;
   }
 } // namespace Structure

@@ -48,11 +48,30 @@ namespace Structure
   };
 
   /**
-   * Write @p checkpoint of rank 0 to the folder "checkpoint" in @p directory.
-   * It replaces the one there when it is complete, not before.
+   * Write @p text of rank 0 to the folder "checkpoint" in @p directory, under a
+   * @p title of what it is. It replaces the one there when it is complete, not
+   * before.
    *
    * @throw ExcMessage on all ranks if it cannot be written.
    */
+  void
+  write_state(const std::string &title,
+              const std::string &text,
+              const std::string &directory,
+              const MPI_Comm     communicator);
+
+  /**
+   * The text that write_state() wrote; on all ranks.
+   *
+   * @throw ExcMessage on all ranks if there is none, it has another title, or
+   * it is damaged.
+   */
+  std::string
+  read_state(const std::string &title,
+             const std::string &directory,
+             const MPI_Comm     communicator);
+
+  /// write_state() of a checkpoint.
   void
   write_checkpoint(const Checkpoint  &checkpoint,
                    const std::string &directory,

@@ -85,11 +85,10 @@ TEST(ImmersedValve, OpensClosesAndHolds)
   const unsigned int       deepest =
     column(names, "contact:penetration_over_release");
   const unsigned int first = column(names, "leaflet_0:tip_x");
-  double             most = 0., least = 0., largest_gap = 0.;
+  double             most = 0., largest_gap = 0.;
   for (const auto &row : rows)
     {
-      most  = std::max(most, row[in]);
-      least = std::min(least, row[in]);
+      most = std::max(most, row[in]);
       // mirror images
       EXPECT_NEAR(row[first], row[first + 2], 1e-6);
       EXPECT_NEAR(row[first + 1] + row[first + 3], 1.61, 1e-6);
@@ -133,13 +132,36 @@ TEST(ImmersedValve, GoesOnFromACheckpoint)
   std::vector<std::string> names;
   EXPECT_EQ(history(whole, names).size(), history(half, names).size());
 
-  // another scene, and a damaged file
+  // another scene, and damaged files of the right one
+  const auto refusal = [&]() -> std::string {
+    ImmersedFlow third(parameters, "", log);
+    try
+      {
+        third.restart(half);
+      }
+    catch (const ExceptionBase &e)
+      {
+        return e.what();
+      }
+    return "";
+  };
+  EXPECT_EQ(refusal(), "");
   parameters.leaflets[0].n_cells = 3;
-  ImmersedFlow other(parameters, "", log);
-  EXPECT_THROW(other.restart(half), ExceptionBase);
-  std::filesystem::resize_file(half + "/checkpoint/state", 2000);
-  ImmersedFlow damaged(parameters, "", log);
-  EXPECT_THROW(damaged.restart(half), ExceptionBase);
+  EXPECT_NE(refusal().find("leaflets"), std::string::npos);
+  parameters.leaflets[0].n_cells = parameters.leaflets[1].n_cells;
+  const std::string state        = half + "/checkpoint/state";
+  const auto        size         = std::filesystem::file_size(state);
+  {
+    // one bit in the middle of a number
+    std::fstream file(state, std::ios::in | std::ios::out | std::ios::binary);
+    file.seekg(size / 2);
+    const char c = file.get() ^ 1;
+    file.seekp(size / 2);
+    file.put(c);
+  }
+  EXPECT_NE(refusal().find("damaged"), std::string::npos);
+  std::filesystem::resize_file(state, size / 2);
+  EXPECT_NE(refusal().find("damaged"), std::string::npos);
 }
 
 
