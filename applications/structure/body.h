@@ -170,6 +170,27 @@ namespace Structure
              Vector<double>       &forces,
              FullMatrix<double>   &tangent) = 0;
 
+    /// Whether evaluate_step() may be called.
+    virtual bool
+    keeps_energy() const
+    {
+      return false;
+    }
+
+    /// Internal forces over a step from @p u_n to @p u that do the work by
+    /// which the strain energy changes, exactly; and their derivative by u.
+    virtual void
+    evaluate_step(const unsigned int /*cell*/,
+                  const Vector<double> & /*u_n*/,
+                  const Vector<double> & /*u*/,
+                  const Vector<double> * /*previous*/,
+                  const bool /*with_tangent*/,
+                  Vector<double> & /*forces*/,
+                  FullMatrix<double> & /*tangent*/)
+    {
+      Assert(false, ExcNotImplemented());
+    }
+
     /// The cells in a form that takes them several at once; null: there is
     /// none for this body. For static runs.
     virtual std::unique_ptr<CellBatches<dim>>

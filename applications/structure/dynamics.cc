@@ -15,6 +15,13 @@ namespace Structure
       Patterns::Selection("static|dynamic"),
       "static: equilibrium at all times. dynamic: with inertia; "
       "bodies need a density.");
+    prm.declare_entry(
+      "Method",
+      "generalised-alpha",
+      Patterns::Selection("generalised-alpha|energy-momentum"),
+      "Of the time integration. energy-momentum: motions that nothing "
+      "disturbs keep energy, momentum and angular momentum, however large the "
+      "steps; for shells of the linear law, with a 'Spectral radius' of 1.");
     prm.declare_entry("Spectral radius",
                       "0.8",
                       Patterns::Double(0., 1.),
@@ -38,12 +45,20 @@ namespace Structure
   DynamicsParameters::read(ParameterHandler &prm)
   {
     is_on             = prm.get("Type") == "dynamic";
+    keeps_energy      = prm.get("Method") == "energy-momentum";
     spectral_radius   = prm.get_double("Spectral radius");
     mass_damping      = prm.get_double("Mass damping");
     stiffness_damping = prm.get_double("Stiffness damping");
     AssertThrow(is_on || (mass_damping == 0. && stiffness_damping == 0.),
                 ExcMessage("'Mass damping' or 'Stiffness damping' is set but "
                            "'Type' is 'static'. Remove one of them."));
+    AssertThrow(is_on || !keeps_energy,
+                ExcMessage("'Method' is 'energy-momentum' but 'Type' is "
+                           "'static'; expected 'dynamic'."));
+    AssertThrow(!keeps_energy || spectral_radius == 1.,
+                ExcMessage("'Method' is 'energy-momentum' but 'Spectral "
+                           "radius' is " +
+                           prm.get("Spectral radius") + "; expected 1."));
   }
 
 

@@ -20,7 +20,8 @@ namespace Structure
     read(ParameterHandler &prm);
 
     bool   is_on           = false;
-    double spectral_radius = 0.8; ///< At infinite frequency [-]
+    bool   keeps_energy    = false; ///< The energy-momentum method.
+    double spectral_radius = 0.8;   ///< At infinite frequency [-]
     double mass_damping = 0., stiffness_damping = 0.; ///< Rayleigh [1/s, s]
   };
 
@@ -32,6 +33,11 @@ namespace Structure
    * = (1 - alpha_f) v + alpha_f v_n, u = u_n + dt v_n + dt^2 ((1/2 - beta) a_n
    * + beta a), v = v_n + dt ((1 - gamma) a_n + gamma a). Second order;
    * unconditionally stable for linear problems.
+   *
+   * The energy-momentum method is the same with a spectral radius of 1, where M
+   * a_m = M (v - v_n)/dt and (v + v_n)/2 = (u - u_n)/dt, but with internal
+   * forces of Body::evaluate_step() in place of the average: F has no internal
+   * forces then.
    */
   class TimeIntegration
   {

@@ -175,12 +175,14 @@ namespace Structure
     State        after;
     const double Q =
       2. * c_0 / (c_1 + std::sqrt(c_1 * c_1 + 4. * B * std::abs(c_0)));
-    const double D = c_1 + 2. * B * std::abs(Q);
+    const double slope = L / dt + 2. * B * std::abs(Q); // of the jet's drop
+    const double D     = a + w + slope;
 
-    after.jet          = Q;
-    after.inlet        = Q - total;
-    after.lumen        = l_0 - a * after.inlet;
-    after.aorta        = w_0 + w * after.inlet;
+    after.jet   = Q;
+    after.inlet = Q - total;
+    after.aorta = w_0 + w * after.inlet;
+    // by the jet, not by the inlet: a closed one would make it round-off
+    after.lumen = after.aorta + L / dt * (Q - before.jet) + B * Q * std::abs(Q);
     after.compliance   = w_0 + b * after.inlet;
     after.swept        = swept;
     const double mouth = p.sinus_resistance + p.sinus_inertance / dt;
@@ -199,7 +201,7 @@ namespace Structure
         loads.values[i] = after.sinuses[i] - after.lumen;
         for (unsigned int j = 0; j < n_sinuses; ++j)
           loads.by_swept(i, j) =
-            (a + w) * ((a + w) / D - 1.) * multiplicity - (i == j ? mouth : 0.);
+            -(a + w) / D * slope * multiplicity - (i == j ? mouth : 0.);
       }
     return after;
   }

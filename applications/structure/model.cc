@@ -183,7 +183,7 @@ namespace Structure
   Model<dim>::make_loads()
   {
     using Type   = typename Load<dim>::Type;
-    is_symmetric = true;
+    is_symmetric = !keeps_energy();
     loads.clear();
     loads.resize(bodies.size());
     node_loads.clear();
@@ -465,8 +465,11 @@ namespace Structure
     make_constraints(u, time);
 
     // accelerations and velocities, and the means over the step
-    const bool dynamic = is_dynamic() && integration.dt > 0.;
-    Vector_t   a_end, v_end, a_mean, v_mean;
+    const bool dynamic   = is_dynamic() && integration.dt > 0.;
+    const bool over_step = dynamic && keeps_energy();
+    Vector_t   a_end, v_end, a_mean, v_mean, u_n;
+    if (over_step)
+      u_n = ghosted(integration.u_n);
     if (dynamic)
       {
         Vector_t a = make_vector(), v = make_vector();
@@ -509,7 +512,7 @@ namespace Structure
     {
       TimerOutput::Scope                   scope(timer, "assembly: cells");
       std::vector<types::global_dof_index> dofs;
-      Vector<double>     values, before, forces, loaded, at_rest, ignored;
+      Vector<double> values, before, start, forces, loaded, at_rest, ignored;
       FullMatrix<double> tangent, mass, damping, stiffness;
       for (unsigned int i = 0; i < bodies.size(); ++i)
         {
@@ -563,7 +566,7 @@ namespace Structure
               else if (!b.evaluate(cell,
                                    values,
                                    previous ? &before : nullptr,
-                                   with_tangent,
+                                   with_tangent && !over_step,
                                    forces,
                                    tangent))
                 {
@@ -571,6 +574,20 @@ namespace Structure
                   break;
                 }
               none.distribute_local_to_global(forces, dofs, internal);
+              if (over_step)
+                {
+                  cell_values(b, cell, u_n, start, dofs);
+                  b.evaluate_step(cell,
+                                  start,
+                                  values,
+                                  previous ? &before : nullptr,
+                                  with_tangent,
+                                  forces,
+                                  tangent);
+                  forces *= per_share;
+                  if (with_tangent)
+                    tangent *= per_share;
+                }
               if (!loads[i].empty())
                 {
                   loaded = 0.;
@@ -783,7 +800,9 @@ namespace Structure
   Vector_t
   Model<dim>::static_forces() const
   {
-    Vector_t F = internal;
+    Vector_t F = make_vector();
+    if (!keeps_energy())
+      F = internal;
     F -= external;
     F -= contact;
     return F;

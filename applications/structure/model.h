@@ -141,6 +141,13 @@ namespace Structure
       return integration.parameters.is_on;
     }
 
+    /// The energy-momentum method, see TimeIntegration.
+    bool
+    keeps_energy() const
+    {
+      return integration.parameters.keeps_energy;
+    }
+
     /// Of the bodies at the start of the next step [J].
     double
     kinetic_energy() const;
@@ -211,7 +218,7 @@ namespace Structure
     void
     make_loads();
 
-    /// Internal less external less contact forces of the last assembly.
+    /// F of TimeIntegration at the last assembly.
     Vector_t
     static_forces() const;
 

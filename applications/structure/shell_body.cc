@@ -162,6 +162,19 @@ namespace Structure
 
 
   void
+  ShellBody::evaluate_step(const unsigned int    cell,
+                           const Vector<double> &u_n,
+                           const Vector<double> &u,
+                           const Vector<double> *previous,
+                           const bool            with_tangent,
+                           Vector<double>       &forces,
+                           FullMatrix<double>   &tangent)
+  {
+    shells[cell].evaluate_step(u_n, u, with_tangent, previous, forces, tangent);
+  }
+
+
+  void
   ShellBody::commit()
   {
     for (ShellElement &element : shells)

@@ -68,6 +68,21 @@ namespace Structure
              Vector<double>       &forces,
              FullMatrix<double>   &tangent) override;
 
+    bool
+    keeps_energy() const override
+    {
+      return !parameters.section.has_layers();
+    }
+
+    void
+    evaluate_step(const unsigned int    cell,
+                  const Vector<double> &u_n,
+                  const Vector<double> &u,
+                  const Vector<double> *previous,
+                  const bool            with_tangent,
+                  Vector<double>       &forces,
+                  FullMatrix<double>   &tangent) override;
+
     void
     commit() override;
 

@@ -696,6 +696,75 @@ namespace Structure
   }
 
 
+  FullMatrix<double>
+  ShellElement::derivatives(const std::vector<Vec> &z) const
+  {
+    const Table       &table = table_of(R.size());
+    const unsigned int n     = R.size();
+    FullMatrix<double> B(table.forms.size(), 6 * n);
+    for (unsigned int i = 0; i < B.m(); ++i)
+      for (const Term &term : table.forms[i])
+        {
+          const Vec x = combine(term.x, z), y = combine(term.y, z);
+          for (unsigned int k = 0; k < 2 * n; ++k)
+            {
+              const double factor = (k < n) ? term.c : term.c / scale;
+              for (unsigned int c = 0; c < 3; ++c)
+                B(i, dof(k, c)) +=
+                  factor * (term.x[k] * y[c] + term.y[k] * x[c]);
+            }
+        }
+    return B;
+  }
+
+
+  void
+  ShellElement::extrapolate(const Vector<double>     &u,
+                            const Vector<double>     &previous,
+                            const FullMatrix<double> &C,
+                            const double              factor,
+                            std::vector<double>      &S) const
+  {
+    const Table   &table      = table_of(R.size());
+    Vector<double> difference = u;
+    difference -= previous;
+    const std::vector<Vec> step = motion(difference);
+    std::vector<double>    quadratic(S.size(), 0.);
+    for (unsigned int i = 0; i < S.size(); ++i)
+      for (const Term &term : table.forms[i])
+        quadratic[i] +=
+          term.c * (combine(term.x, step) * combine(term.y, step));
+    for (unsigned int i = 0; i < S.size(); ++i)
+      for (unsigned int j = 0; j < S.size(); ++j)
+        S[i] -= factor * C(i, j) * quadratic[j];
+  }
+
+
+  void
+  ShellElement::add_geometric(const std::vector<double> &S,
+                              FullMatrix<double>        &tangent) const
+  {
+    const Table       &table           = table_of(R.size());
+    const unsigned int n               = R.size();
+    double             geometric[8][8] = {};
+    for (unsigned int i = 0; i < S.size(); ++i)
+      for (const Term &term : table.forms[i])
+        for (unsigned int k = 0; k < 2 * n; ++k)
+          if (term.x[k] != 0.)
+            for (unsigned int l = 0; l < 2 * n; ++l)
+              {
+                const double g = S[i] * term.c * term.x[k] * term.y[l];
+                geometric[k][l] += g;
+                geometric[l][k] += g;
+              }
+    for (unsigned int k = 0; k < 2 * n; ++k)
+      for (unsigned int l = 0; l < 2 * n; ++l)
+        for (unsigned int c = 0; c < 3; ++c)
+          tangent(dof(k, c), dof(l, c)) +=
+            geometric[k][l] / ((k < n ? 1. : scale) * (l < n ? 1. : scale));
+  }
+
+
   bool
   ShellElement::evaluate(const Vector<double> &u,
                          const bool            with_tangent,
@@ -703,12 +772,10 @@ namespace Structure
                          Vector<double>       &forces,
                          FullMatrix<double>   &tangent) const
   {
-    const Table           &table   = table_of(R.size());
-    const unsigned int     n       = R.size();
-    const unsigned int     n_forms = table.forms.size();
+    const unsigned int     n_forms = table_of(R.size()).forms.size();
     const std::vector<Vec> dz      = motion(u);
     std::vector<Vec>       z       = at_rest;
-    for (unsigned int k = 0; k < 2 * n; ++k)
+    for (unsigned int k = 0; k < z.size(); ++k)
       z[k] += dz[k];
 
     // Step 1: stresses of the forms, and the forms' derivatives.
@@ -727,67 +794,63 @@ namespace Structure
         for (unsigned int j = 0; j < n_forms; ++j)
           S[i] += Q(i, j) * f[j];
     const FullMatrix<double> &C = has_layers ? of_forms : Q; // dS/df
-    // B(form, dof), dofs in the element's order
-    const auto dof = [n](const unsigned int k, const unsigned int c) {
-      return (k < n) ? 6 * k + c : 6 * (k - n) + 3 + c;
-    };
-    FullMatrix<double> B(n_forms, 6 * n);
+    const FullMatrix<double>  B = derivatives(z);
+    forces                      = 0.;
     for (unsigned int i = 0; i < n_forms; ++i)
-      for (const Term &term : table.forms[i])
-        {
-          const Vec x = combine(term.x, z), y = combine(term.y, z);
-          for (unsigned int k = 0; k < 2 * n; ++k)
-            {
-              const double factor = (k < n) ? term.c : term.c / scale;
-              for (unsigned int c = 0; c < 3; ++c)
-                B(i, dof(k, c)) +=
-                  factor * (term.x[k] * y[c] + term.y[k] * x[c]);
-            }
-        }
-    forces = 0.;
-    for (unsigned int i = 0; i < n_forms; ++i)
-      for (unsigned int a = 0; a < 6 * n; ++a)
+      for (unsigned int a = 0; a < B.n(); ++a)
         forces(a) += B(i, a) * S[i];
     if (!with_tangent)
       return true;
 
-    // Step 2: stresses of the geometric part.
+    // Step 2: the tangent.
     if (previous != nullptr)
+      extrapolate(u, *previous, C, 1., S);
+    FullMatrix<double> CB(n_forms, B.n());
+    C.mmult(CB, B);
+    B.Tmmult(tangent, CB);
+    add_geometric(S, tangent);
+    return true;
+  }
+
+
+  void
+  ShellElement::evaluate_step(const Vector<double> &u_n,
+                              const Vector<double> &u,
+                              const bool            with_tangent,
+                              const Vector<double> *previous,
+                              Vector<double>       &forces,
+                              FullMatrix<double>   &tangent) const
+  {
+    Assert(layered.empty(), ExcNotImplemented());
+    const unsigned int     n_forms = table_of(R.size()).forms.size();
+    const std::vector<Vec> dz_n = motion(u_n), dz = motion(u);
+    std::vector<Vec>       z_mean = at_rest, z = at_rest;
+    for (unsigned int k = 0; k < z.size(); ++k)
       {
-        Vector<double> difference = u;
-        difference -= *previous;
-        const std::vector<Vec> step = motion(difference);
-        std::vector<double>    quadratic(n_forms, 0.);
-        for (unsigned int i = 0; i < n_forms; ++i)
-          for (const Term &term : table.forms[i])
-            quadratic[i] +=
-              term.c * (combine(term.x, step) * combine(term.y, step));
-        for (unsigned int i = 0; i < n_forms; ++i)
-          for (unsigned int j = 0; j < n_forms; ++j)
-            S[i] -= C(i, j) * quadratic[j];
+        z_mean[k] += 0.5 * (dz_n[k] + dz[k]);
+        z[k] += dz[k];
       }
 
-    // Step 3: the tangent.
-    FullMatrix<double> QB(n_forms, 6 * n);
-    C.mmult(QB, B);
-    B.Tmmult(tangent, QB);
-    double geometric[8][8] = {};
+    const std::vector<double> f_n = values(dz_n), f = values(dz);
+    std::vector<double>       S(n_forms, 0.);
     for (unsigned int i = 0; i < n_forms; ++i)
-      for (const Term &term : table.forms[i])
-        for (unsigned int k = 0; k < 2 * n; ++k)
-          if (term.x[k] != 0.)
-            for (unsigned int l = 0; l < 2 * n; ++l)
-              {
-                const double g = S[i] * term.c * term.x[k] * term.y[l];
-                geometric[k][l] += g;
-                geometric[l][k] += g;
-              }
-    for (unsigned int k = 0; k < 2 * n; ++k)
-      for (unsigned int l = 0; l < 2 * n; ++l)
-        for (unsigned int c = 0; c < 3; ++c)
-          tangent(dof(k, c), dof(l, c)) +=
-            geometric[k][l] / ((k < n ? 1. : scale) * (l < n ? 1. : scale));
-    return true;
+      for (unsigned int j = 0; j < n_forms; ++j)
+        S[i] += 0.5 * Q(i, j) * (f_n[j] + f[j]);
+    const FullMatrix<double> B_mean = derivatives(z_mean);
+    forces                          = 0.;
+    for (unsigned int i = 0; i < n_forms; ++i)
+      for (unsigned int a = 0; a < B_mean.n(); ++a)
+        forces(a) += B_mean(i, a) * S[i];
+    if (!with_tangent)
+      return;
+
+    if (previous != nullptr)
+      extrapolate(u, *previous, Q, 0.5, S);
+    FullMatrix<double> QB(n_forms, B_mean.n());
+    Q.mmult(QB, derivatives(z));
+    B_mean.Tmmult(tangent, QB);
+    add_geometric(S, tangent);
+    tangent *= 0.5;
   }
 
 

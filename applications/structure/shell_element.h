@@ -77,6 +77,24 @@ namespace Structure
              Vector<double>       &forces,
              FullMatrix<double>   &tangent) const;
 
+    /**
+     * Internal forces over a step from @p u_n to @p u, B((u_n + u)/2)^T Q (f_n
+     * + f)/2, and their derivative by u. Since f is quadratic in u, they do
+     * exactly the work by which the strain energy changes, and have no
+     * resultant and no moment: with the midpoint rule for the inertia a motion
+     * keeps energy, momentum and angular momentum (J. Simo, N. Tarnow, Int. J.
+     * Numer. Methods Eng. 37 (1994) 2527-2549, doi:10.1002/nme.1620371503). For
+     * the linear law only. @p previous as for evaluate(); the tangent is not
+     * symmetric.
+     */
+    void
+    evaluate_step(const Vector<double> &u_n,
+                  const Vector<double> &u,
+                  const bool            with_tangent,
+                  const Vector<double> *previous,
+                  Vector<double>       &forces,
+                  FullMatrix<double>   &tangent) const;
+
     /// Strain energy [J].
     double
     energy(const Vector<double> &u) const;
@@ -122,6 +140,33 @@ namespace Structure
     /// The forms' values for a motion.
     std::vector<double>
     values(const std::vector<Vec> &motion) const;
+
+    /// Number of the dof of component @p c of number @p k of (r_1.., d_1..).
+    unsigned int
+    dof(const unsigned int k, const unsigned int c) const
+    {
+      const unsigned int n = R.size();
+      return (k < n) ? 6 * k + c : 6 * (k - n) + 3 + c;
+    }
+
+    /// B(form, dof), derivatives of the forms at the places @p z.
+    FullMatrix<double>
+    derivatives(const std::vector<Vec> &z) const;
+
+    /// Make the stresses of the geometric stiffness those extrapolated from the
+    /// iterate before: take off @p factor times the part that is quadratic in
+    /// the step. @p C is dS/df.
+    void
+    extrapolate(const Vector<double>     &u,
+                const Vector<double>     &previous,
+                const FullMatrix<double> &C,
+                const double              factor,
+                std::vector<double>      &S) const;
+
+    /// Add the part of the tangent that stresses of the forms make.
+    void
+    add_geometric(const std::vector<double> &S,
+                  FullMatrix<double>        &tangent) const;
 
     const std::vector<Vec> R, D;
     const ShellSection     section;

@@ -246,6 +246,13 @@ namespace Structure
     model.conditions  = scene.conditions;
     model.integration = TimeIntegration(scene.dynamics);
     check_refinement();
+    for (const auto &b : model.bodies)
+      AssertThrow(!scene.dynamics.keeps_energy || b->keeps_energy(),
+                  ExcMessage("'Dynamics/Method' is 'energy-momentum', which is "
+                             "for shells of the St. Venant-Kirchhoff law; '" +
+                             b->name +
+                             "' is another body. Expected "
+                             "'generalised-alpha'."));
     connect();
   }
 

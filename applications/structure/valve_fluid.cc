@@ -123,9 +123,9 @@ namespace Structure
   {
     const unsigned int                   n = leaflets.size();
     std::vector<types::global_dof_index> dofs;
-    Vector<double>                       values, motion, middle, forces, row;
-    FullMatrix<double>                   tangent;
-    const auto                           get = [&](const unsigned int cell) {
+    Vector<double>     values, motion, at, forces, row, change;
+    FullMatrix<double> tangent;
+    const auto         get = [&](const unsigned int cell) {
       body.dofs_of(cell, dofs);
       values.reinit(dofs.size());
       for (unsigned int a = 0; a < dofs.size(); ++a)
@@ -162,17 +162,29 @@ namespace Structure
             motion       = values;
             for (unsigned int a = 0; a < dofs.size(); ++a)
               motion(a) -= u_n(dofs[a]);
-            middle = values;
-            middle.add(-0.5, motion);
-            unit_forces(cell, middle, matrix != nullptr, forces, tangent);
-            swept[i] += forces * motion / dt;
-            if (matrix == nullptr)
-              continue;
             row.reinit(dofs.size());
-            tangent.Tvmult(row, motion);
-            row.sadd(-0.5, 1., forces);
-            row /= dt;
-            constraints.distribute_local_to_global(row, dofs, by_motion[i]);
+            // g at a state, which moves with u by a share of it
+            const auto sweep = [&](const double share, const double weight) {
+              unit_forces(cell, at, matrix != nullptr, forces, tangent);
+              swept[i] += weight / dt * (forces * motion);
+              if (matrix == nullptr)
+                return;
+              tangent.Tvmult(change, motion);
+              row.add(weight / dt, forces, -share * weight / dt, change);
+            };
+            change.reinit(dofs.size());
+            at = values;
+            at.add(-0.5, motion);
+            sweep(0.5, 1.);
+            // what the middle misses: g of places that are the motion
+            at = motion;
+            for (unsigned int a = 0; a < dofs.size(); ++a)
+              if (const auto place = body.place_of(cell, a);
+                  place.component < dim)
+                at(a) -= place.x[place.component];
+            sweep(1., 1. / 12.);
+            if (matrix != nullptr)
+              constraints.distribute_local_to_global(row, dofs, by_motion[i]);
           }
         Utilities::MPI::sum(swept, rhs.get_mpi_communicator(), swept);
         now = fluid->step(before, dt, p_ventricle, swept, orifice, loads);

@@ -31,7 +31,9 @@ namespace Structure
    * Leaflets and the lumped fluid around them, solved together. Leaflet i has
    * its sinus on its top and the lumen below. With g_i the forces of a unit
    * pressure on its top, the fluid adds the forces (p_Si - p_L) g_i and the
-   * leaflet sweeps Q_Si = g_i(u at the middle of the step) . (u - u_n)/dt. The
+   * leaflet sweeps Q_Si = (g_i(u at the middle of the step) + g_i(places that
+   * are the motion d)/12) . d/dt, d = u - u_n: exactly the volume between both
+   * ends of a step on straight ways, since g_i is quadratic in the places. The
    * pressures follow from the motion alone (LumpedFluid::step()), so that
    * Newton's method sees them as forces; their derivative is the sparse one of
    * g_i plus products columns[i] rows[i]^T, which couple all of a leaflet.

@@ -162,6 +162,52 @@ TEST(ShellElement, ForcesAreTheGradientOfTheEnergyAndTheTangentTheirDerivative)
 }
 
 
+
+// The forces over a step do the work by which the energy changes, exactly; they
+// have no resultant and no moment at the middle of the step.
+TEST(ShellElement, ForcesOverAStepDoTheWorkOfTheStrainEnergy)
+{
+  for (const unsigned int n : {3u, 4u})
+    {
+      const ShellElement element = warped(n);
+      const unsigned int n_dofs  = element.n_dofs();
+      Vector<double>     u_n     = some_dofs(n_dofs), u(n_dofs);
+      for (unsigned int i = 0; i < n_dofs; ++i)
+        u(i) = 0.3 * std::cos(2. * i);
+      Vector<double>     forces(n_dofs), plus(n_dofs), minus(n_dofs);
+      FullMatrix<double> tangent(n_dofs, n_dofs), none;
+      element.evaluate_step(u_n, u, true, nullptr, forces, tangent);
+      Vector<double> motion = u;
+      motion -= u_n;
+      EXPECT_NEAR(forces * motion,
+                  element.energy(u) - element.energy(u_n),
+                  1e-12 * element.energy(u));
+      Vector3 sum;
+      for (unsigned int k = 0; k < n; ++k)
+        sum += Vector3({forces(6 * k), forces(6 * k + 1), forces(6 * k + 2)});
+      EXPECT_LT(sum.norm(), 1e-12 * forces.l2_norm());
+      const double h = 1e-6;
+      for (unsigned int j = 0; j < n_dofs; ++j)
+        {
+          Vector<double> w = u;
+          w(j) += h;
+          element.evaluate_step(u_n, w, false, nullptr, plus, none);
+          w(j) -= 2. * h;
+          element.evaluate_step(u_n, w, false, nullptr, minus, none);
+          for (unsigned int i = 0; i < n_dofs; ++i)
+            EXPECT_NEAR(tangent(i, j),
+                        (plus(i) - minus(i)) / (2. * h),
+                        1e-7 * tangent.frobenius_norm());
+        }
+      // where nothing moves they are the forces there
+      element.evaluate_step(u, u, true, nullptr, forces, tangent);
+      element.evaluate(u, false, nullptr, plus, none);
+      plus -= forces;
+      EXPECT_LT(plus.l2_norm(), 1e-13 * forces.l2_norm());
+    }
+}
+
+
 TEST(ShellElement, ExtrapolatedStressesLeaveTheForcesAndVanishWithTheStep)
 {
   const ShellElement element = warped(4);
