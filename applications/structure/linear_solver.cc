@@ -132,7 +132,10 @@ namespace Structure
     if (iterative)
       {
         make_multigrid(model);
-        const auto   &amg = *multigrid;
+        MortarContact::ContactPreconditioner<Multigrid> preconditioner;
+        preconditioner.initialize(model.matrix,
+                                  *multigrid,
+                                  model.contact_dofs());
         SolverControl control(parameters.max_iterations,
                               parameters.tolerance * model.rhs.l2_norm());
         result.method = model.is_symmetric ? "CG" : "GMRES";
@@ -143,11 +146,11 @@ namespace Structure
               SolverCG<Vector_t>(control).solve(model.matrix,
                                                 x,
                                                 model.rhs,
-                                                amg);
+                                                preconditioner);
             else
               SolverGMRES<Vector_t>(control,
                                     SolverGMRES<Vector_t>::AdditionalData(100))
-                .solve(model.matrix, x, model.rhs, amg);
+                .solve(model.matrix, x, model.rhs, preconditioner);
             result.converged  = std::isfinite(x.l2_norm());
             result.iterations = control.last_step();
           }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "model.h"
 
+#include "return_memory.h"
+
 #include <deal.II/base/mpi.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
@@ -360,32 +362,36 @@ namespace Structure
   void
   Model<dim>::make_matrix()
   {
-    TimerOutput::Scope                   scope(timer, "matrix pattern");
-    DynamicSparsityPattern               dsp(total_dofs, total_dofs);
-    std::vector<types::global_dof_index> dofs;
-    for (const auto &b : bodies)
-      for (unsigned int c = 0; c < b->n_local_cells(); ++c)
-        {
-          b->dofs_of(c, dofs);
-          constraints.add_entries_local_to_global(dofs, dsp, false);
-        }
-    for (const RigidDofs<dim> &rigid : rigid_dofs)
-      if (owned.is_element(rigid.first()))
-        {
-          dofs.resize(RigidDofs<dim>::n);
-          std::iota(dofs.begin(), dofs.end(), rigid.first());
-          constraints.add_entries_local_to_global(dofs, dsp, false);
-        }
-    for (const auto &interface : interfaces)
-      interface->add_couplings(dsp, constraints);
-    SparsityTools::distribute_sparsity_pattern(dsp,
-                                               owned,
-                                               communicator,
-                                               complete_index_set(total_dofs));
+    TimerOutput::Scope scope(timer, "matrix pattern");
+    // never the old matrix and the new pattern at once
     if (before_new_matrix)
       before_new_matrix();
     matrix.clear();
-    matrix.reinit(owned, owned, dsp, communicator);
+    pressures.derivative.clear();
+    return_memory();
+    std::vector<types::global_dof_index> dofs;
+    {
+      DynamicSparsityPattern dsp(total_dofs, total_dofs);
+      for (const auto &b : bodies)
+        for (unsigned int c = 0; c < b->n_local_cells(); ++c)
+          {
+            b->dofs_of(c, dofs);
+            constraints.add_entries_local_to_global(dofs, dsp, false);
+          }
+      for (const RigidDofs<dim> &rigid : rigid_dofs)
+        if (owned.is_element(rigid.first()))
+          {
+            dofs.resize(RigidDofs<dim>::n);
+            std::iota(dofs.begin(), dofs.end(), rigid.first());
+            constraints.add_entries_local_to_global(dofs, dsp, false);
+          }
+      for (const auto &interface : interfaces)
+        interface->add_couplings(dsp, constraints);
+      SparsityTools::distribute_sparsity_pattern(
+        dsp, owned, communicator, complete_index_set(total_dofs));
+      matrix.reinit(owned, owned, dsp, communicator);
+    }
+    return_memory();
     n_nonzero = matrix.n_nonzero_elements();
     ++n_patterns;
     for (const auto &batch : batches)
@@ -402,7 +408,6 @@ namespace Structure
                                         first_pressure[b]),
                                       constraints,
                                       rows);
-        pressures.derivative.clear();
         pressures.derivative.reinit(pressures.owned, owned, rows, communicator);
       }
     pattern_is_current = true;
@@ -937,6 +942,18 @@ namespace Structure
           }
     forces.compress(VectorOperation::insert);
     return forces;
+  }
+
+
+  template <int dim>
+  IndexSet
+  Model<dim>::contact_dofs() const
+  {
+    IndexSet result(total_dofs);
+    for (const auto &interface : interfaces)
+      result.add_indices(interface->active_dofs(owned));
+    result.compress();
+    return result;
   }
 
 

@@ -6,6 +6,7 @@
 
 #include <mortar_contact/host/contact_interface.h>
 #include <mortar_contact/host/contact_output.h>
+#include <mortar_contact/host/contact_preconditioner.h>
 #include <mortar_contact/laws/contact_modulus.h>
 #include <mortar_contact/parameters/contact_parameters.h>
 

@@ -61,6 +61,25 @@ namespace MortarContact
 
 
   template <int dim>
+  IndexSet
+  ContactInterface<dim>::active_dofs(const IndexSet &owned) const
+  {
+    std::vector<unsigned int> is_active(dofs.size(), 0);
+    for_each_pair([&](const unsigned int sweep, const auto &pair) {
+      for (const auto dof : dofs_of(sweep, pair.secondary, pair.primary))
+        is_active[place_of(dof)] = 1;
+    });
+    Utilities::MPI::max(is_active, communicator, is_active);
+    IndexSet result(owned.size());
+    for (std::size_t i = 0; i < dofs.size(); ++i)
+      if (is_active[i] != 0 && owned.is_element(dofs[i]))
+        result.add_index(dofs[i]);
+    result.compress();
+    return result;
+  }
+
+
+  template <int dim>
   void
   ContactInterface<dim>::distribute_pair(
     const unsigned int                            sweep,

@@ -192,10 +192,8 @@ namespace MortarContact
 
     // Step 3: how eta and the distance move: with the vertices at fixed xi,
     // then also with xi.
-    std::array<PairVector<dim>, T> deta_fixed;
     for (unsigned int b = 0; b < T; ++b)
-      deta_fixed[b] = work_of(a_eta[b], frame, k.N_s, primary, distance);
-    k.deta      = deta_fixed;
+      k.deta[b] = work_of(a_eta[b], frame, k.N_s, primary, distance);
     k.ddistance = g;
     k.ddepth    = g;
     if (point.moves)
@@ -284,56 +282,69 @@ namespace MortarContact
     // Step 5: the tangent of the normal part. With g = work of a(eta),
     //   d2d = -[ a_dt_b deta_b + deta_b (a_dt_b + a . x_p,bc deta_c)
     //            + g a_dn + a_dn g + distance a . d2n ] + a . dN_s dxi.
-    PairVector<dim> a_dn = {};
-    for (unsigned int v = 0; v < n_s; ++v)
-      {
-        const Tensor<1, dim> a_dn_v = a * frame.dn[v];
-        for (unsigned int i = 0; i < dim; ++i)
-          a_dn[v * dim + i] = a_dn_v[i];
-      }
-    PairVector<dim> right_of_g = scaled(W, k.dsigma);
+    // g and deta_b are work of a and of a_eta_b: what they are multiplied by is
+    // gathered in the motion of a force at the point, W_j, and dealt to the
+    // vertices once.
+    PairVector<dim>                  right_of_g = scaled(W, k.dsigma);
+    std::array<PairVector<dim>, dim> motion; // of the force
     if (W_sigma != 0.)
       {
-        add_secondary(-W_sigma, a_dn, right_of_g);
-        if (point.moves)
-          add(sigma, point.dweight, right_of_g);
-        for (unsigned int b = 0; b < T; ++b)
+        for (unsigned int v = 0; v < n_s; ++v)
           {
-            PairVector<dim> a_dt = {};
-            for (unsigned int v = 0; v < n_p; ++v)
-              for (unsigned int i = 0; i < dim; ++i)
-                a_dt[P + v * dim + i] = primary.dN[b][v] * a[i];
-            add_outer(a_dt, scaled(-W_sigma, k.deta[b]), block.tangent);
-            PairVector<dim> right_of_deta = scaled(-W_sigma, a_dt);
-            bool            is_curved     = false;
-            for (unsigned int c = 0; c < T; ++c)
-              {
-                const double a_second = a * primary.second[b][c];
-                if (a_second != 0.)
-                  {
-                    is_curved = true;
-                    add(-W_sigma * a_second, k.deta[c], right_of_deta);
-                  }
-              }
-            if (is_curved)
-              add_outer(deta_fixed[b], right_of_deta, block.tangent);
-            else
-              add_outer_by_primary(deta_fixed[b], right_of_deta, block.tangent);
+            const Tensor<1, dim> a_dn_v = a * frame.dn[v];
+            for (unsigned int i = 0; i < dim; ++i)
+              right_of_g[v * dim + i] -= W_sigma * a_dn_v[i];
           }
         if (point.moves)
-          for (unsigned int c = 0; c < T; ++c)
-            {
-              PairVector<dim> dN_a = {};
-              for (unsigned int v = 0; v < n_s; ++v)
-                for (unsigned int i = 0; i < dim; ++i)
-                  dN_a[v * dim + i] = W_sigma * k.dN_s[c][v] * a[i];
-              add_outer(dN_a, point.dxi[c], block.tangent);
-            }
-        sums.across += W_sigma * distance * a;
-        sums.along += W_sigma * distance;
-        add_outer(a_dn, scaled(-W_sigma, k.ddistance), block.tangent);
+          add(sigma, point.dweight, right_of_g);
       }
-    add_outer(g, right_of_g, block.tangent);
+    for (unsigned int j = 0; j < dim; ++j)
+      motion[j] = scaled(a[j], right_of_g);
+    const Tensor<1, dim> force = W_sigma * a;
+    if (W_sigma != 0.)
+      {
+        for (unsigned int b = 0; b < T; ++b)
+          {
+            PairVector<dim> right_of_deta = {};
+            for (unsigned int v = 0; v < n_p; ++v)
+              for (unsigned int i = 0; i < dim; ++i)
+                right_of_deta[P + v * dim + i] = -primary.dN[b][v] * force[i];
+            for (unsigned int c = 0; c < T; ++c)
+              {
+                const double by_eta = force * primary.second[b][c];
+                if (by_eta != 0.)
+                  add(-by_eta, k.deta[c], right_of_deta);
+              }
+            for (unsigned int j = 0; j < dim; ++j)
+              add(a_eta[b][j], right_of_deta, motion[j]);
+          }
+        sums.across += distance * force;
+        sums.along += W_sigma * distance;
+      }
+    // the force goes with xi on the secondary, with eta on the primary
+    for (unsigned int v = 0; v < n_s; ++v)
+      {
+        PairVector<dim> along = {};
+        if (point.moves)
+          for (unsigned int c = 0; c < T; ++c)
+            add(k.dN_s[c][v], point.dxi[c], along);
+        for (unsigned int i = 0; i < dim; ++i)
+          add(k.N_s[v], motion[i], force[i], along, block.tangent[v * dim + i]);
+      }
+    for (unsigned int v = 0; v < n_p; ++v)
+      {
+        PairVector<dim> along = {};
+        for (unsigned int b = 0; b < T; ++b)
+          add(primary.dN[b][v], k.deta[b], along);
+        for (unsigned int i = 0; i < dim; ++i)
+          add(-primary.N[v],
+              motion[i],
+              -force[i],
+              along,
+              block.tangent[P + v * dim + i]);
+      }
+    for (unsigned int j = 0; j < dim; ++j)
+      add(distance, motion[j], force[j], k.ddistance, sums.couple[j]);
 
     if (with_friction)
       add_friction(frame, state, primary, point, k, true, sums, block);
@@ -346,11 +357,16 @@ namespace MortarContact
                                   const CurvatureSums<dim>  &sums,
                                   PairBlock<dim>            &block) const
   {
-    // -distance (sigma a + tau) . d2n, with a . n = 1, tau . n = 0
+    // -distance (sigma a + tau) . d2n, with a . n = 1, tau . n = 0; and the
+    // couple of the force on the secondary, along dn
     const auto curvature = frame.normal_curvature(sums.across, sums.along);
     for (unsigned int i = 0; i < max_facet_components<dim>; ++i)
       for (unsigned int j = 0; j < max_facet_components<dim>; ++j)
         block.tangent[i][j] -= curvature[i][j];
+    for (unsigned int v = 0; v < frame.facet.n_vertices; ++v)
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j < dim; ++j)
+          add(-frame.dn[v][j][i], sums.couple[j], block.tangent[v * dim + i]);
   }
 
 

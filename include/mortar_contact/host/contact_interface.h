@@ -155,6 +155,11 @@ namespace MortarContact
     add_couplings(SparsityType                    &sparsity,
                   const AffineConstraints<double> &constraints);
 
+    /// Of the dofs @p owned by this rank those that pairs with forces of any rank
+    /// act on: what ContactPreconditioner solves exactly. Collective.
+    IndexSet
+    active_dofs(const IndexSet &owned) const;
+
     /// matrix += tangent, rhs += contact forces (minus the residual). Neither
     /// is compressed. @throw ExcMessage if couplings are missing.
     template <class MatrixType, class VectorType>

@@ -68,6 +68,19 @@ namespace MortarContact
         sum[i] += factor * v[i];
     }
 
+    /// sum += factor_v v + factor_w w
+    template <std::size_t n>
+    inline void
+    add(const double                 factor_v,
+        const std::array<double, n> &v,
+        const double                 factor_w,
+        const std::array<double, n> &w,
+        std::array<double, n>       &sum)
+    {
+      for (std::size_t i = 0; i < n; ++i)
+        sum[i] += factor_v * v[i] + factor_w * w[i];
+    }
+
     /// factor v
     template <std::size_t n>
     inline std::array<double, n>
@@ -102,18 +115,6 @@ namespace MortarContact
           add(left[i], right, sum[i]);
     }
 
-    /// The same for a right vector that is zero on the secondary.
-    template <std::size_t n>
-    inline void
-    add_outer_by_primary(const std::array<double, n>          &left,
-                         const std::array<double, n>          &right,
-                         std::array<std::array<double, n>, n> &sum)
-    {
-      for (std::size_t i = 0; i < n; ++i)
-        if (left[i] != 0.)
-          for (std::size_t j = n / 2; j < n; ++j)
-            sum[i][j] += left[i] * right[j];
-    }
     /// Replace a matrix by its symmetric part.
     template <std::size_t n>
     inline void

@@ -120,6 +120,9 @@ namespace MortarContact
   {
     Tensor<1, dim> across;     ///< sum of W distance (sigma a + tau)
     double         along = 0.; ///< sum of W distance sigma
+    /// By component: motion of the force times its distance, and force times
+    /// the motion of the distance; what they do is along dn.
+    std::array<PairVector<dim>, dim> couple = {};
   };
 
   /// What happens at one point, without forces.
