@@ -10,9 +10,9 @@
 
 namespace Structure
 {
-  /// Give memory that was freed in small pieces (a sparsity pattern, a mesh under
-  /// construction) back to the system: what follows asks for large pieces, which
-  /// would come on top of it.
+  /// Give memory that was freed in small pieces (a sparsity pattern, a mesh
+  /// under construction) back to the system: what follows asks for large
+  /// pieces, which would come on top of it.
   inline void
   return_memory()
   {

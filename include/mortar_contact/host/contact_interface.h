@@ -155,8 +155,8 @@ namespace MortarContact
     add_couplings(SparsityType                    &sparsity,
                   const AffineConstraints<double> &constraints);
 
-    /// Of the dofs @p owned by this rank those that pairs with forces of any rank
-    /// act on: what ContactPreconditioner solves exactly. Collective.
+    /// Of the dofs @p owned by this rank those that pairs with forces of any
+    /// rank act on: what ContactPreconditioner solves exactly. Collective.
     IndexSet
     active_dofs(const IndexSet &owned) const;
 

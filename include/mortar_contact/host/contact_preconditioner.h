@@ -79,6 +79,7 @@ namespace MortarContact
                   matrix.get_mpi_communicator());
     }
 
+    /// Precondition @p src.
     void
     vmult(TrilinosWrappers::MPI::Vector       &dst,
           const TrilinosWrappers::MPI::Vector &src) const
