@@ -132,10 +132,7 @@ namespace Structure
     if (iterative)
       {
         make_multigrid(model);
-        MortarContact::ContactPreconditioner<Multigrid> preconditioner;
-        preconditioner.initialize(model.matrix,
-                                  *multigrid,
-                                  model.contact_dofs());
+        const auto   &amg = *multigrid;
         SolverControl control(parameters.max_iterations,
                               parameters.tolerance * model.rhs.l2_norm());
         result.method = model.is_symmetric ? "CG" : "GMRES";
@@ -146,11 +143,11 @@ namespace Structure
               SolverCG<Vector_t>(control).solve(model.matrix,
                                                 x,
                                                 model.rhs,
-                                                preconditioner);
+                                                amg);
             else
               SolverGMRES<Vector_t>(control,
                                     SolverGMRES<Vector_t>::AdditionalData(100))
-                .solve(model.matrix, x, model.rhs, preconditioner);
+                .solve(model.matrix, x, model.rhs, amg);
             result.converged  = std::isfinite(x.l2_norm());
             result.iterations = control.last_step();
           }

@@ -946,18 +946,6 @@ namespace Structure
 
 
   template <int dim>
-  IndexSet
-  Model<dim>::contact_dofs() const
-  {
-    IndexSet result(total_dofs);
-    for (const auto &interface : interfaces)
-      result.add_indices(interface->active_dofs(owned));
-    result.compress();
-    return result;
-  }
-
-
-  template <int dim>
   std::vector<std::vector<double>>
   Model<dim>::rigid_body_modes() const
   {

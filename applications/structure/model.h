@@ -167,10 +167,6 @@ namespace Structure
     Vector_t
     outer_forces() const;
 
-    /// Owned dofs that contact acted on at the last assembly. Collective.
-    IndexSet
-    contact_dofs() const;
-
     /// Rigid body motions on the owned dofs: [mode][owned dof].
     std::vector<std::vector<double>>
     rigid_body_modes() const;

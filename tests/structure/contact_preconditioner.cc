@@ -54,7 +54,8 @@ namespace
     result.amg = solve(amg, x);
     MortarContact::ContactPreconditioner<TrilinosWrappers::PreconditionAMG>
       preconditioner;
-    preconditioner.initialize(model.matrix, amg, model.contact_dofs());
+    preconditioner.initialize(
+      model.matrix, amg, model.interfaces[0]->active_dofs(model.owned_dofs()));
     // both surfaces, three displacements at each vertex
     EXPECT_EQ(preconditioner.contact_block().n_dofs(), 3u * (81 + 100));
     result.contact = solve(preconditioner, x);

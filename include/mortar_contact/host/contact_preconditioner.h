@@ -24,7 +24,7 @@ namespace MortarContact
      * Take the block out of @p matrix and factorise it. Collective.
      * @param dofs Of the dofs that this rank owns, see
      *             ContactInterface::active_dofs().
-     * @throw ExcMessage if the block is singular.
+     * @throw ExceptionBase of deal.II if the block is singular.
      */
     void
     initialize(const TrilinosWrappers::SparseMatrix &matrix,
