@@ -123,10 +123,15 @@ namespace Test
       if (c == '/')
         c = '_';
     const std::string file = "scene-" + name + ".prm";
-    std::ofstream(file) << "set Dimension = " << dim << "\n"
-                        << text << "subsection Output\nset Directory = output-"
-                        << name
-                        << "\nset Every = 0\nset Checkpoint every = 0\nend\n";
+    // one rank writes what all read
+    MPI_Barrier(MPI_COMM_WORLD);
+    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      std::ofstream(file) << "set Dimension = " << dim << "\n"
+                          << text
+                          << "subsection Output\nset Directory = output-"
+                          << name
+                          << "\nset Every = 0\nset Checkpoint every = 0\nend\n";
+    MPI_Barrier(MPI_COMM_WORLD);
     SceneSource source;
     source.file   = file;
     source.driver = "contact_scene";
