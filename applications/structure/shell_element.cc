@@ -349,6 +349,18 @@ namespace Structure
       CB *= factor;
       A.Tmmult(sum, CB, true);
     }
+
+    /// forces = B^T S
+    void
+    forces_of(const FullMatrix<double>  &B,
+              const std::vector<double> &S,
+              Vector<double>            &forces)
+    {
+      forces = 0.;
+      for (unsigned int i = 0; i < B.m(); ++i)
+        for (unsigned int a = 0; a < B.n(); ++a)
+          forces(a) += B(i, a) * S[i];
+    }
   } // namespace
 
 
@@ -795,10 +807,7 @@ namespace Structure
           S[i] += Q(i, j) * f[j];
     const FullMatrix<double> &C = has_layers ? of_forms : Q; // dS/df
     const FullMatrix<double>  B = derivatives(z);
-    forces                      = 0.;
-    for (unsigned int i = 0; i < n_forms; ++i)
-      for (unsigned int a = 0; a < B.n(); ++a)
-        forces(a) += B(i, a) * S[i];
+    forces_of(B, S, forces);
     if (!with_tangent)
       return true;
 
@@ -837,10 +846,7 @@ namespace Structure
       for (unsigned int j = 0; j < n_forms; ++j)
         S[i] += 0.5 * Q(i, j) * (f_n[j] + f[j]);
     const FullMatrix<double> B_mean = derivatives(z_mean);
-    forces                          = 0.;
-    for (unsigned int i = 0; i < n_forms; ++i)
-      for (unsigned int a = 0; a < B_mean.n(); ++a)
-        forces(a) += B_mean(i, a) * S[i];
+    forces_of(B_mean, S, forces);
     if (!with_tangent)
       return;
 
