@@ -22,7 +22,7 @@ namespace MortarContact
                            const IndexSet                       &dofs)
   {
     const MPI_Comm communicator = matrix.get_mpi_communicator();
-    Assert(dofs.is_subset_of(matrix.locally_owned_range_indices()),
+    Assert((dofs & matrix.locally_owned_range_indices()) == dofs,
            ExcMessage("The dofs are not those of this rank."));
     factors.reset();
     dofs.fill_index_vector(own_dofs);
