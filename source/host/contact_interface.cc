@@ -529,14 +529,14 @@ namespace MortarContact
     if (Utilities::MPI::logical_or(search, communicator))
       {
         bool changed = false;
-        for (const auto &sweep : sweeps)
+        coupled.resize(sweeps.size());
+        for (unsigned int i = 0; i < sweeps.size(); ++i)
           {
-            const auto before = sweep->candidates();
-            sweep->search();
-            changed = changed || !std::includes(before.begin(),
-                                                before.end(),
-                                                sweep->candidates().begin(),
-                                                sweep->candidates().end());
+            sweeps[i]->search();
+            changed = changed || !std::includes(coupled[i].begin(),
+                                                coupled[i].end(),
+                                                sweeps[i]->candidates().begin(),
+                                                sweeps[i]->candidates().end());
           }
         if (Utilities::MPI::logical_or(changed, communicator))
           {

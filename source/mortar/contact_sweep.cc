@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 namespace MortarContact
@@ -148,16 +149,42 @@ namespace MortarContact
     for (const unsigned int f : owned)
       last_reach = std::max(last_reach, reach(f) + surface_offset);
 
-    pairs.clear();
+    pairs = find_pairs(margin);
+    drop_pairs_aside();
+  }
+
+
+  template <int dim>
+  std::vector<std::pair<unsigned int, unsigned int>>
+  ContactSweep<dim>::candidates_after(const double diameters) const
+  {
+    if (diameters == 0.)
+      return pairs;
+    const auto wide = find_pairs((1. + diameters / margin_share) * margin);
+    std::vector<std::pair<unsigned int, unsigned int>> result;
+    std::set_union(pairs.begin(),
+                   pairs.end(),
+                   wide.begin(),
+                   wide.end(),
+                   std::back_inserter(result));
+    return result;
+  }
+
+
+  template <int dim>
+  std::vector<std::pair<unsigned int, unsigned int>>
+  ContactSweep<dim>::find_pairs(const double motion) const
+  {
+    std::vector<std::pair<unsigned int, unsigned int>> found;
     if (obstacle != nullptr)
       {
         for (const unsigned int f : owned)
           if (secondary.facets[f].compliance[0] > 0.)
-            pairs.emplace_back(f, 0);
-        return;
+            found.emplace_back(f, 0);
+        return found;
       }
     if (owned.empty() || searched_p.empty())
-      return;
+      return found;
 
     // Step 1: the boxes of both sides. Sides that are far from each other are
     // done with here.
@@ -175,12 +202,12 @@ namespace MortarContact
         const Tensor<1, dim> inward = -reach(f) / w.norm() * w;
         for (unsigned int a = 0; a < searched_s[f].n_vertices; ++a)
           extend(box, Tensor<1, dim>(searched_s[f].x[a] + inward));
-        inflate(box, margin + surface_offset);
+        inflate(box, motion + surface_offset);
         if (intersect(box, all))
           near.emplace_back(f, box);
       }
     if (near.empty())
-      return;
+      return found;
 
     // Step 2: the pairs of facets.
     const BroadPhase<dim> broad_phase(boxes);
@@ -191,8 +218,8 @@ namespace MortarContact
     for (const auto &[f, box] : near)
       for (const unsigned int p : broad_phase.find(box))
         if (filter.may_touch(f, p))
-          pairs.emplace_back(f, p);
-    drop_pairs_aside();
+          found.emplace_back(f, p);
+    return found;
   }
 
 

@@ -149,11 +149,17 @@ namespace MortarContact
            const double      time         = 0.,
            const bool        with_tangent = true);
 
-    /// Add the entries of all candidate pairs to a sparsity pattern.
+    /**
+     * Add the entries of all candidate pairs to a sparsity pattern.
+     * @param motion Also of the pairs that motions by so many mean diameters of
+     *               the facets would bring [-]: for more entries, new patterns
+     *               are rarer.
+     */
     template <class SparsityType>
     void
     add_couplings(SparsityType                    &sparsity,
-                  const AffineConstraints<double> &constraints);
+                  const AffineConstraints<double> &constraints,
+                  const double                     motion = 0.);
 
     /// Of the dofs @p owned by this rank those that pairs with forces of any
     /// rank act on: what ContactPreconditioner solves exactly. Collective.
@@ -516,11 +522,13 @@ namespace MortarContact
     std::unique_ptr<TieSweep<dim>>                  tie_sweep;
     ContactReport                                   last_report;
     ContactReport accepted_report; ///< Of the last commit(), or of setup().
-    bool          pattern_is_current = false;
-    bool          has_tangent        = false; ///< Of the last update().
-    bool          is_finite          = true;  ///< So are all values fetched.
-    bool   is_augmented      = true; ///< Penetrations are below the tolerance.
-    double largest_tool_step = 1.;   ///< See check_motion_of_tools().
+    /// Pairs that the matrix has entries for, by sweep.
+    std::vector<std::vector<std::pair<unsigned int, unsigned int>>> coupled;
+    bool   pattern_is_current = false;
+    bool   has_tangent        = false; ///< Of the last update().
+    bool   is_finite          = true;  ///< So are all values fetched.
+    bool   is_augmented       = true; ///< Penetrations are below the tolerance.
+    double largest_tool_step  = 1.;   ///< See check_motion_of_tools().
     std::vector<std::string>  part_names;
     std::vector<unsigned int> part_of_facet[2];
     unsigned int              part_of_obstacle = 0;

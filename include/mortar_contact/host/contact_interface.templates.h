@@ -63,13 +63,18 @@ namespace MortarContact
   void
   ContactInterface<dim>::add_couplings(
     SparsityType                    &sparsity,
-    const AffineConstraints<double> &constraints)
+    const AffineConstraints<double> &constraints,
+    const double                     motion)
   {
+    coupled.resize(sweeps.size());
     for (unsigned int i = 0; i < sweeps.size(); ++i)
-      for (const auto &[s, p] : sweeps[i]->candidates())
-        constraints.add_entries_local_to_global(dofs_of(i, s, p),
-                                                sparsity,
-                                                false);
+      {
+        coupled[i] = sweeps[i]->candidates_after(motion);
+        for (const auto &[s, p] : coupled[i])
+          constraints.add_entries_local_to_global(dofs_of(i, s, p),
+                                                  sparsity,
+                                                  false);
+      }
     if (tie_sweep)
       for (const auto &[s, p] : tie_sweep->candidates())
         constraints.add_entries_local_to_global(dofs_of(0, s, p),

@@ -103,6 +103,11 @@ namespace MortarContact
       return pairs;
     }
 
+    /// candidates(), and those that would come if facets moved by so many of
+    /// their mean diameters.
+    std::vector<std::pair<unsigned int, unsigned int>>
+    candidates_after(const double diameters) const;
+
     /// Find initial penetrations, and store them where the treatment says so.
     InitialFindings<dim>
     detect_initial(const InitialTreatment &treatment);
@@ -354,6 +359,11 @@ namespace MortarContact
     /// Largest depth at which the points of a secondary facet see anything.
     double
     reach(const unsigned int secondary_facet) const;
+
+    /// Pairs that may touch after motions of @p motion [m] from where the last
+    /// search was.
+    std::vector<std::pair<unsigned int, unsigned int>>
+    find_pairs(const double motion) const;
 
     /// Candidates of the owned facets from pair @p next on; moves @p next.
     std::vector<unsigned int>
