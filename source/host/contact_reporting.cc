@@ -124,7 +124,7 @@ namespace MortarContact
   {
     ContactReport &r = last_report;
     // Step 1: sums and maxima of this rank.
-    std::vector<double> sums(18, 0.), maxima(8, 0.);
+    std::vector<double> sums(18, 0.), maxima(9, 0.);
     maxima[2] = maxima[7] = std::numeric_limits<double>::lowest();
     std::vector<DeepPenetration> worst;
     for (unsigned int i = 0; i < sweeps.size(); ++i)
@@ -143,6 +143,7 @@ namespace MortarContact
         maxima[2] = std::max(maxima[2], -counts.smallest_gap);
         maxima[7] = std::max(maxima[7], counts.largest_gap);
         maxima[3] = std::max(maxima[3], counts.overlap);
+        maxima[8] += counts.active + counts.open;
         for (const auto &pair : sweep.active_pairs())
           {
             const PairBlock<dim> &block = pair.block;
@@ -219,16 +220,17 @@ namespace MortarContact
     // Step 2: over the ranks.
     Utilities::MPI::sum(sums, communicator, sums);
     Utilities::MPI::max(maxima, communicator, maxima);
-    r.candidate_pairs  = std::lround(sums[0]);
-    r.active_pairs     = std::lround(sums[1]);
-    r.open_pairs       = std::lround(sums[2]);
-    r.apart_pairs      = std::lround(sums[3]);
-    r.beyond_pairs     = std::lround(sums[4]);
-    r.degenerate_pairs = std::lround(sums[5]);
-    r.n_too_deep       = std::lround(sums[6]);
-    r.active_area      = sums[7];
-    r.energy           = sums[8];
-    r.mean_penetration = sums[7] > 0. ? sums[9] / sums[7] : 0.;
+    r.candidate_pairs    = std::lround(sums[0]);
+    r.active_pairs       = std::lround(sums[1]);
+    r.open_pairs         = std::lround(sums[2]);
+    r.apart_pairs        = std::lround(sums[3]);
+    r.beyond_pairs       = std::lround(sums[4]);
+    r.degenerate_pairs   = std::lround(sums[5]);
+    r.n_too_deep         = std::lround(sums[6]);
+    r.busiest_rank_pairs = std::lround(maxima[8]);
+    r.active_area        = sums[7];
+    r.energy             = sums[8];
+    r.mean_penetration   = sums[7] > 0. ? sums[9] / sums[7] : 0.;
     for (unsigned int c = 0; c < 3; ++c)
       {
         r.force[c]  = sums[10 + c];

@@ -98,6 +98,8 @@ namespace MortarContact
     unsigned int apart_pairs      = 0; ///< No overlap.
     unsigned int beyond_pairs     = 0; ///< Points behind the other surface.
     unsigned int degenerate_pairs = 0; ///< Facets without a usable shape.
+    /// Pairs with an overlap, which is the work, of the rank that has most.
+    unsigned int busiest_rank_pairs = 0;
 
     double active_area          = 0.; ///< Undeformed [m^2]
     double slip_area            = 0.; ///< Of it, sliding [m^2]
