@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "point_kinematics.h"
+#include "vector_clones.h"
 
 #include <mortar_contact/laws/initial_penetration.h>
 
@@ -65,7 +66,7 @@ namespace MortarContact
 
 
   template <int dim>
-  void
+  MORTAR_CONTACT_VECTOR_CLONES void
   PointKernel<dim>::add_friction(const SecondaryFrame<dim> &frame,
                                  const SecondaryState<dim> &state,
                                  const PrimaryPoint<dim>   &primary,

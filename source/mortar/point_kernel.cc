@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "point_kinematics.h"
+#include "vector_clones.h"
 
 #include <mortar_contact/laws/initial_penetration.h>
 
@@ -105,7 +106,7 @@ namespace MortarContact
 
 
   template <int dim>
-  void
+  MORTAR_CONTACT_VECTOR_CLONES void
   PointKernel<dim>::add_point(const SecondaryFrame<dim> &frame,
                               const ContactFacet<dim>   &secondary,
                               const SecondaryState<dim> &state,
