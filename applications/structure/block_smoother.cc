@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <map>
 
 namespace Structure
@@ -66,8 +67,8 @@ namespace Structure
         columns.insert(columns.end(), of_row.begin(), of_row.end());
         row_begin.push_back(columns.size());
       }
-    blocks.resize(columns.size());
-    inverse_diagonal.resize(n_block_rows);
+    blocks.resize(columns.size() + 1);
+    inverse_diagonal.resize(n_block_rows + 1);
   }
 
 
@@ -91,7 +92,7 @@ namespace Structure
             for (int k = 0; k < n_entries; ++k)
               {
                 const unsigned int at = position[indices[k]];
-                blocks[place[at / size]][size * i + at % size] = values[k];
+                blocks[place[at / size]][size * (at % size) + i] = values[k];
               }
           }
 
@@ -100,11 +101,11 @@ namespace Structure
         for (unsigned int i = 0; i < size; ++i)
           {
             for (unsigned int j = 0; j < size; ++j)
-              D[i][j] = blocks[diagonal[r]][size * i + j];
+              D[i][j] = blocks[diagonal[r]][size * j + i];
             for (std::size_t b = row_begin[r + 1];
                  b-- > row_begin[r] && columns[b] >= n_block_rows;)
               for (unsigned int j = 0; j < size; ++j)
-                D[i][i] += 0.5 * std::abs(blocks[b][size * i + j]);
+                D[i][i] += 0.5 * std::abs(blocks[b][size * j + i]);
             // what fills up the last block, and unknowns without stiffness
             if (D[i][i] == 0.)
               D[i][i] = 1.;
@@ -122,7 +123,7 @@ namespace Structure
             inverse[i][i] = 1. / std::abs(D[i][i]);
         for (unsigned int i = 0; i < size; ++i)
           for (unsigned int j = 0; j < size; ++j)
-            inverse_diagonal[r][size * i + j] = inverse[i][j];
+            inverse_diagonal[r][size * j + i] = inverse[i][j];
       }
   }
 
@@ -141,21 +142,34 @@ namespace Structure
   }
 
 
-  inline void
+  inline BlockSmoother::Four
+  BlockSmoother::column(const Block &block, const unsigned int j)
+  {
+    // the fourth value of the last column is the next block's first
+    Four result;
+    std::memcpy(&result, block.data() + size * j, sizeof(result));
+    return result;
+  }
+
+
+  inline BlockSmoother::Four
+  BlockSmoother::product(const Block &block, const float *x)
+  {
+    return column(block, 0) * x[0] + column(block, 1) * x[1] +
+           column(block, 2) * x[2];
+  }
+
+
+  inline BlockSmoother::Four
   BlockSmoother::subtract(const Block        *block,
                           const unsigned int *column,
                           const unsigned int *end,
                           const Values       &x,
-                          float              *s)
+                          Four                s)
   {
     for (; column != end; ++column, ++block)
-      {
-        const Block &a    = *block;
-        const float *from = x.data() + size * *column;
-        for (unsigned int i = 0; i < size; ++i)
-          s[i] -= a[size * i] * from[0] + a[size * i + 1] * from[1] +
-                  a[size * i + 2] * from[2];
-      }
+      s -= product(*block, x.data() + size * *column);
+    return s;
   }
 
 
@@ -165,25 +179,33 @@ namespace Structure
     // The values that come later are zero.
     for (unsigned int row = 0; row < n_block_rows; ++row)
       {
-        float *s = &r[size * row];
-        subtract(&blocks[row_begin[row]],
-                 &columns[row_begin[row]],
-                 &columns[diagonal[row]],
-                 x,
-                 s);
-        const Block &D = inverse_diagonal[row];
+        float      *from       = &r[size * row];
+        const Four  s          = subtract(&blocks[row_begin[row]],
+                                &columns[row_begin[row]],
+                                &columns[diagonal[row]],
+                                x,
+                                Four{from[0], from[1], from[2]});
+        const float rest[size] = {s[0], s[1], s[2]};
+        const Four  dx         = product(inverse_diagonal[row], rest);
         for (unsigned int i = 0; i < size; ++i)
-          x[size * row + i] = D[size * i] * s[0] + D[size * i + 1] * s[1] +
-                              D[size * i + 2] * s[2];
+          {
+            from[i]           = rest[i];
+            x[size * row + i] = dx[i];
+          }
       }
     exchange(x);
     // What came before is subtracted already.
     for (unsigned int row = 0; row < n_block_rows; ++row)
-      subtract(&blocks[diagonal[row]],
-               &columns[diagonal[row]],
-               columns.data() + row_begin[row + 1],
-               x,
-               &r[size * row]);
+      {
+        float     *from = &r[size * row];
+        const Four s    = subtract(&blocks[diagonal[row]],
+                                &columns[diagonal[row]],
+                                columns.data() + row_begin[row + 1],
+                                x,
+                                Four{from[0], from[1], from[2]});
+        for (unsigned int i = 0; i < size; ++i)
+          from[i] = s[i];
+      }
   }
 
 
@@ -193,17 +215,16 @@ namespace Structure
     exchange(x);
     for (unsigned int row = n_block_rows; row-- > 0;)
       {
-        float s[size];
-        std::copy_n(&b[size * row], size, s);
-        subtract(&blocks[row_begin[row]],
-                 &columns[row_begin[row]],
-                 columns.data() + row_begin[row + 1],
-                 x,
-                 s);
-        const Block &D = inverse_diagonal[row];
+        // Also backwards within the row: the processor foresees a stream in one
+        // direction, and waits three times as long for one that jumps.
+        const float *from = &b[size * row];
+        Four         s    = {from[0], from[1], from[2]};
+        for (std::size_t k = row_begin[row + 1]; k-- > row_begin[row];)
+          s -= product(blocks[k], x.data() + size * columns[k]);
+        const float rest[size] = {s[0], s[1], s[2]};
+        const Four  dx         = product(inverse_diagonal[row], rest);
         for (unsigned int i = 0; i < size; ++i)
-          x[size * row + i] += D[size * i] * s[0] + D[size * i + 1] * s[1] +
-                               D[size * i + 2] * s[2];
+          x[size * row + i] += dx[i];
       }
   }
 } // namespace Structure

@@ -32,7 +32,7 @@ namespace Structure
     static constexpr unsigned int size = 3; ///< Of a block.
 
     using Values = std::vector<float>;             ///< Of a vector.
-    using Block  = std::array<float, size * size>; ///< By rows.
+    using Block  = std::array<float, size * size>; ///< By columns.
 
     /// The pattern, not the values, of a matrix that outlives this.
     explicit BlockSmoother(const TrilinosWrappers::SparseMatrix &matrix);
@@ -61,23 +61,35 @@ namespace Structure
     void
     exchange(Values &x) const;
 
-    /// What is subtracted for blocks from @p begin to @p end of a row.
-    static void
+    /// Three values; the fourth is of no account. One instruction then serves a
+    /// column of a block.
+    using Four = float __attribute__((vector_size(4 * sizeof(float))));
+
+    static Four
+    column(const Block &block, const unsigned int j);
+
+    static Four
+    product(const Block &block, const float *x);
+
+    /// @p s without what blocks from @p block on contribute, up to the column
+    /// before @p end.
+    static Four
     subtract(const Block        *block,
              const unsigned int *column,
              const unsigned int *end,
              const Values       &x,
-             float              *s);
+             Four                s);
 
     const Epetra_CrsMatrix &original;
 
     /// Where the value of a local column of the original is in vectors.
     std::vector<unsigned int> position;
 
-    unsigned int                   n_block_rows = 0, n_block_columns = 0;
-    std::vector<std::size_t>       row_begin; ///< By block row.
-    std::vector<std::size_t>       diagonal;  ///< Its block, by block row.
-    std::vector<unsigned int>      columns;   ///< Of blocks.
+    unsigned int              n_block_rows = 0, n_block_columns = 0;
+    std::vector<std::size_t>  row_begin; ///< By block row.
+    std::vector<std::size_t>  diagonal;  ///< Its block, by block row.
+    std::vector<unsigned int> columns;   ///< Of blocks.
+    /// One more than there are: see column().
     std::vector<Block>             blocks, inverse_diagonal;
     std::unique_ptr<Epetra_Vector> owned, ghosted; ///< To exchange values.
   };

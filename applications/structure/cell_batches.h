@@ -88,6 +88,10 @@ namespace Structure
              PressureUnknowns  &pressures,
              const unsigned int first_pressure,
              const bool         reset) = 0;
+
+    /// Strain energy at the displacements @p u of this rank's cells [J].
+    virtual double
+    energy(const Vector_t &u) const = 0;
   };
 } // namespace Structure
 

@@ -155,6 +155,44 @@ namespace Structure
   }
 
 
+  unsigned int
+  HexCells::fill(const unsigned int first,
+                 const double      *u_values,
+                 HexKernel::Cells  &in) const
+  {
+    const unsigned int n_lanes =
+      std::min<unsigned int>(width, cells.size() - first);
+    for (unsigned int l = 0; l < width; ++l)
+      {
+        const unsigned int c = first + std::min(l, n_lanes - 1);
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          for (unsigned int i = 0; i < 3; ++i)
+            {
+              in.X[a][i][l] = positions[c][3 * a + i];
+              in.u[a][i][l] = u_values[cells[c].ghosted[a] + i];
+            }
+      }
+    return n_lanes;
+  }
+
+
+  double
+  HexCells::energy(const Vector_t &u) const
+  {
+    double            sum = 0.;
+    HexKernel::Cells  in;
+    HexKernel::Result out;
+    for (unsigned int first = 0; first < cells.size(); first += width)
+      {
+        const unsigned int n_lanes = fill(first, u.begin(), in);
+        kernel.evaluate(in, false, false, out);
+        for (unsigned int l = 0; l < n_lanes; ++l)
+          sum += out.energy[l];
+      }
+    return sum;
+  }
+
+
   void
   HexCells::add_constrained(const Cell              &cell,
                             const HexKernel::Result &result,
@@ -210,15 +248,26 @@ namespace Structure
     };
     if (cell.is_plain)
       {
-        std::array<types::global_dof_index, n_dofs> dofs;
-        std::array<double, n_dofs>                  values;
+        // owned columns are in order: node after node
+        const Epetra_CrsMatrix &B = pressures.derivative.trilinos_matrix();
+        int                     n_entries = 0, *indices = nullptr;
+        double                 *values = nullptr;
+        B.ExtractMyRowView(row - pressures.owned.nth_index_in_set(0),
+                           n_entries,
+                           values,
+                           indices);
+        Assert(n_entries == n_dofs, ExcInternalError());
         for (unsigned int a = 0; a < n_nodes; ++a)
-          for (unsigned int i = 0; i < 3; ++i)
-            {
-              dofs[3 * a + i]   = cell.dofs[a] + i;
-              values[3 * a + i] = result.dv[a][i][lane];
-            }
-        set(n_dofs, dofs.data(), values.data());
+          {
+            const unsigned int place =
+              std::count_if(cell.dofs.begin(),
+                            cell.dofs.end(),
+                            [&](const auto other) {
+                              return other < cell.dofs[a];
+                            });
+            for (unsigned int i = 0; i < 3; ++i)
+              values[3 * place + i] = result.dv[a][i][lane];
+          }
         return;
       }
     std::map<types::global_dof_index, double> sums;
@@ -269,21 +318,14 @@ namespace Structure
     HexKernel::Result out;
     for (unsigned int first = 0; first < cells.size(); first += width)
       {
-        // Step 1: eight cells; the last ones again where there are fewer.
-        const unsigned int n_lanes =
-          std::min<unsigned int>(width, cells.size() - first);
+        // Step 1: eight cells.
+        const unsigned int n_lanes = fill(first, u_values, in);
         for (unsigned int l = 0; l < width; ++l)
-          {
-            const unsigned int c = first + std::min(l, n_lanes - 1);
-            for (unsigned int a = 0; a < n_nodes; ++a)
-              for (unsigned int i = 0; i < 3; ++i)
-                {
-                  in.X[a][i][l] = positions[c][3 * a + i];
-                  in.u[a][i][l] = u_values[cells[c].ghosted[a] + i];
-                }
-            in.pressure[l] =
-              unknown ? pressures.value.begin()[first_pressure + c] : 0.;
-          }
+          in.pressure[l] =
+            unknown ?
+              pressures.value
+                .begin()[first_pressure + first + std::min(l, n_lanes - 1)] :
+              0.;
         kernel.evaluate(in, unknown && !reset, with_tangent, out);
         for (unsigned int l = 0; l < n_lanes; ++l)
           if (!(out.smallest_J[l] > 0.))

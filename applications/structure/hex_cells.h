@@ -48,6 +48,9 @@ namespace Structure
              const unsigned int first_pressure,
              const bool         reset) override;
 
+    double
+    energy(const Vector_t &u) const override;
+
   private:
     static constexpr unsigned int width   = HexKernel::width;
     static constexpr unsigned int n_nodes = HexKernel::n_nodes;
@@ -67,6 +70,13 @@ namespace Structure
     resolve(const types::global_dof_index    dof,
             const AffineConstraints<double> &constraints,
             Entries                         &entries);
+
+    /// Put cells from @p first on into the lanes, the last one again where
+    /// there are fewer. @return How many there are.
+    unsigned int
+    fill(const unsigned int first,
+         const double      *u_values,
+         HexKernel::Cells  &in) const;
 
     /// Add one cell of a batch by the constraints.
     void

@@ -72,6 +72,7 @@ namespace Structure
       Lanes G[n_q][n][3], F[n_q][3][3], w[n_q], J[n_q];
       out.volume     = zero;
       out.new_volume = zero;
+      out.energy     = zero;
       for (unsigned int q = 0; q < n_q; ++q)
         {
           Lanes D[3][3] = {}, B[3][3];
@@ -120,6 +121,12 @@ namespace Structure
       out.pressure =
         stored ? cells.pressure : law.bulk * (out.new_volume / out.volume - 1.);
 
+      if (law.has_pressure)
+        {
+          const Lanes dilatation = out.new_volume / out.volume - 1.;
+          out.energy = 0.5 * law.bulk * dilatation * dilatation * out.volume;
+        }
+
       for (unsigned int a = 0; a < n; ++a)
         for (unsigned int i = 0; i < 3; ++i)
           {
@@ -154,6 +161,7 @@ namespace Structure
                   factor[l]         = 1. / (root * root);
                 }
               const Lanes alpha = factor * (tau[0][0] + tau[1][1] + tau[2][2]);
+              out.energy += 0.5 * w[q] * (alpha - 3. * law.mu);
               for (unsigned int i = 0; i < 3; ++i)
                 for (unsigned int j = 0; j < 3; ++j)
                   tau[i][j] *= factor;
@@ -168,6 +176,9 @@ namespace Structure
               Lanes log_J;
               for (unsigned int l = 0; l < HexKernel::width; ++l)
                 log_J[l] = std::log(J[q][l]);
+              out.energy += 0.5 * w[q] *
+                            (tau[0][0] + tau[1][1] + tau[2][2] - 3. * law.mu -
+                             2. * law.mu * log_J + lambda * log_J * log_J);
               for (unsigned int i = 0; i < 3; ++i)
                 tau[i][i] += lambda * log_J - law.mu;
               c1 = law.mu - lambda * log_J;

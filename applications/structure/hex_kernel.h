@@ -47,6 +47,7 @@ namespace Structure
       Lanes dv[n_nodes][3];     ///< Derivative of v [m^2].
       Lanes pressure;           ///< What was used [Pa].
       Lanes smallest_J;         ///< Nothing is valid if not positive.
+      Lanes energy;             ///< At the pressure of equilibrium [J].
     };
 
     /**

@@ -22,6 +22,10 @@ namespace Structure
     constexpr unsigned int old_factors_from = 20000, most_with_old_factors = 16;
     constexpr double       falls = 0.1;
 
+    /// A new multigrid in iterations of FGMRES: what it takes at half a million
+    /// cells. Iterations that an old one may take more in one solution.
+    constexpr unsigned int setup_cost = 15, most_in_vain = 60;
+
     /// Residual over right-hand side that is as good as a direct solution.
     constexpr double exact = 1e-10;
   } // namespace
@@ -51,9 +55,9 @@ namespace Structure
     prm.declare_entry("Mixed tolerance",
                       "1e-2",
                       Patterns::Double(1e-15, 1e-1),
-                      "The same where the pressures of nearly incompressible "
-                      "cells are unknowns; Newton's tolerances decide when a "
-                      "step is solved [-].");
+                      "The smallest where the pressures of nearly "
+                      "incompressible cells are unknowns: up to 0.1 while "
+                      "Newton's method gains no more [-].");
     prm.declare_entry("Maximum iterations",
                       "2000",
                       Patterns::Integer(1),
@@ -77,42 +81,54 @@ namespace Structure
   void
   LinearSolver<dim>::make_multigrid(Model<dim> &model)
   {
-    // it refers to the matrix, whose values may change
-    model.before_new_matrix = [this]() { multigrid.reset(); };
+    model.before_new_matrix = [this]() {
+      if (multigrid && multigrid->has_levels())
+        multigrid->forget_matrix();
+      else
+        multigrid.reset();
+    };
     multigrid.reset(); // never two of them at once
     multigrid =
       std::make_unique<Multigrid>(model.matrix, model.rigid_body_modes());
+    ++n_multigrids;
+    multigrid_numbering  = model.n_numberings;
     multigrid_iterations = 0;
+    multigrid_excess     = 0;
   }
 
 
   template <int dim>
   LinearSolve
-  LinearSolver<dim>::solve(Model<dim> &model, Vector_t &x)
+  LinearSolver<dim>::solve(Model<dim>  &model,
+                           Vector_t    &x,
+                           const double share_left)
   {
     LinearSolve result;
     if (model.pressures.are_on)
       {
         result.method = "FGMRES";
-        // an old hierarchy serves until it costs more than a new one
-        if (multigrid)
-          multigrid->update();
+        // an old hierarchy serves until what it has cost would have paid a
+        // new one
+        if (multigrid && multigrid_numbering == model.n_numberings &&
+            multigrid_excess < setup_cost)
+          multigrid->update(model.matrix);
         else
           make_multigrid(model);
         for (bool again = true; again;)
           {
             const bool         is_new = multigrid_iterations == 0;
             const unsigned int most =
-              is_new ?
-                parameters.max_iterations :
-                std::min(parameters.max_iterations, multigrid_iterations + 10);
-            const MixedSolve solved = solve_mixed(model.matrix,
-                                                  *multigrid,
-                                                  model.rhs,
-                                                  model.pressures,
-                                                  x,
-                                                  parameters.mixed_tolerance,
-                                                  most);
+              is_new ? parameters.max_iterations :
+                       std::min(parameters.max_iterations,
+                                multigrid_iterations + most_in_vain);
+            const MixedSolve solved =
+              solve_mixed(model.matrix,
+                          *multigrid,
+                          model.rhs,
+                          model.pressures,
+                          x,
+                          std::max(parameters.mixed_tolerance, share_left),
+                          most);
             result.iterations += solved.iterations;
             result.converged = solved.converged;
             again            = !solved.converged && !is_new;
@@ -122,6 +138,8 @@ namespace Structure
               multigrid.reset();
             else if (is_new)
               multigrid_iterations = std::max(1u, solved.iterations);
+            else if (solved.iterations > multigrid_iterations)
+              multigrid_excess += solved.iterations - multigrid_iterations;
           }
         return result;
       }

@@ -67,14 +67,23 @@ namespace Structure
       , direct(communicator)
     {}
 
+    /// @param share_left Of the residual, is enough, where pressures are
+    ///                   unknowns [-].
     LinearSolve
-    solve(Model<dim> &model, Vector_t &x);
+    solve(Model<dim> &model, Vector_t &x, const double share_left);
 
     /// Forget factors: results do not depend on the tries before.
     void
     start_step()
     {
       has_factors = false;
+    }
+
+    /// Hierarchies of multigrid that were made.
+    unsigned int
+    n_setups() const
+    {
+      return n_multigrids;
     }
 
     LinearSolver(const LinearSolver &) = delete; // models may refer to it
@@ -103,6 +112,9 @@ namespace Structure
 
     std::unique_ptr<Multigrid> multigrid;
     unsigned int multigrid_iterations = 0; ///< Of its first solve; 0: none yet.
+    unsigned int multigrid_excess     = 0; ///< Beyond these, since then.
+    unsigned int multigrid_numbering  = 0; ///< Model::n_numberings.
+    unsigned int n_multigrids         = 0;
   };
 } // namespace Structure
 

@@ -38,6 +38,7 @@ namespace Structure
   void
   Model<dim>::number_dofs()
   {
+    ++n_numberings;
     // Rank after rank, body after body: contiguous ranges for each rank.
     const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator);
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
@@ -386,7 +387,8 @@ namespace Structure
             constraints.add_entries_local_to_global(dofs, dsp, false);
           }
       for (const auto &interface : interfaces)
-        interface->add_couplings(dsp, constraints);
+        // a new multigrid is dearer than some entries more
+        interface->add_couplings(dsp, constraints, pressures.are_on ? 1. : 0.);
       SparsityTools::distribute_sparsity_pattern(
         dsp, owned, communicator, complete_index_set(total_dofs));
       matrix.reinit(owned, owned, dsp, communicator);
@@ -901,15 +903,16 @@ namespace Structure
     const Vector_t                       u_ghosted = ghosted(u);
     double                               energy    = 0.;
     std::vector<types::global_dof_index> dofs;
-    for (const auto &b : bodies)
-      {
-        Vector<double> values;
-        for (unsigned int cell = 0; cell < b->n_local_cells(); ++cell)
+    Vector<double>                       values;
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      if (batches[b])
+        energy += batches[b]->energy(u_ghosted);
+      else
+        for (unsigned int cell = 0; cell < bodies[b]->n_local_cells(); ++cell)
           {
-            cell_values(*b, cell, u_ghosted, values, dofs);
-            energy += b->energy(cell, values);
+            cell_values(*bodies[b], cell, u_ghosted, values, dofs);
+            energy += bodies[b]->energy(cell, values);
           }
-      }
     return Utilities::MPI::sum(energy, communicator);
   }
 

@@ -199,6 +199,7 @@ namespace Structure
     bool                      is_symmetric = true;
     std::size_t               n_nonzero    = 0;
     unsigned int              n_patterns   = 0; ///< Of the matrix so far.
+    unsigned int              n_numberings = 0; ///< Of the dofs so far.
 
   private:
     void

@@ -65,8 +65,32 @@ namespace Structure
     /// come and go for ever.
     constexpr unsigned int chatter_after = 8;
 
+    /// Inexact solutions: the share of the residual that may be left is never
+    /// more than the first, follows the last fall of the residual by factor and
+    /// power, and leaves the third share of the force tolerance.
+    constexpr double most_left = 0.1, left_factor = 0.9, left_power = 1.618,
+                     left_at_end = 0.2;
+
     /// Trials of the line search.
     constexpr unsigned int max_trials = 4;
+
+    /// How much of the residual a linear solution may leave: no less than
+    /// Newton's method can use (S. Eisenstat, H. Walker, Choosing the forcing
+    /// terms in an inexact Newton method, doi:10.1137/0917003, choice 2), no
+    /// less than the step needs. All in the same unit.
+    double
+    share_left(const double residual,
+               const double last_residual,
+               const double tolerance)
+    {
+      // An update too rough to start with costs an iteration more.
+      if (last_residual == std::numeric_limits<double>::max())
+        return 0.;
+      const double share =
+        left_factor * std::pow(residual / last_residual, left_power);
+      return std::min(most_left,
+                      std::max(share, left_at_end * tolerance / residual));
+    }
   } // namespace
 
 
@@ -193,7 +217,12 @@ namespace Structure
         // Step 2: the update.
         {
           TimerOutput::Scope scope(model.timer, "linear solver");
-          iterate.linear = linear.solve(model, du);
+          iterate.linear =
+            linear.solve(model,
+                         du,
+                         share_left(n.residual,
+                                    last_residual,
+                                    parameters.force_tolerance * scale));
         }
         ++result.iterations;
         ++iterate.iteration;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "shell_body.h"
 
+#include "vtk_flags.h"
+
 #include <deal.II/base/quadrature_lib.h>
 
 #include <deal.II/fe/fe_q.h>
@@ -618,6 +620,7 @@ namespace Structure
                                "plastic_strain",
                                DataOut<2, 3>::type_cell_data);
     data_out.build_patches(mappings);
+    data_out.set_flags(fast_vtk_flags());
     data_out.write_vtu_in_parallel(file, communicator);
   }
 } // namespace Structure

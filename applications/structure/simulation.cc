@@ -1002,6 +1002,8 @@ namespace Structure
     json["newton_iterations"] = newton_iterations;
     json["linear_iterations"] = linear_iterations;
     json["cut_backs"]         = cut_backs;
+    json["matrix_patterns"]   = model.n_patterns;
+    json["multigrid_setups"]  = linear_solver.n_setups();
     json["peak_memory_kB"]    = peak;
     json["wall_seconds"]      = wall.wall_time();
     json["strain_energy"]     = run.strain_energy;
@@ -1076,6 +1078,20 @@ namespace Structure
       table << "  " << std::left << std::setw(34) << name << std::right
             << std::setw(8) << seconds << " s\n";
     table << "  peak memory " << peak / 1e6 << " GB";
+    if (linear_solver.n_setups() > 0)
+      table << "; matrix patterns: " << model.n_patterns
+            << ", multigrid set-ups: " << linear_solver.n_setups();
+    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+    for (const auto &interface : model.interfaces)
+      {
+        const auto  &r     = interface->report();
+        const double pairs = r.active_pairs + r.open_pairs;
+        if (n_ranks > 1 && pairs > 0.)
+          table << "\n  balance of '" << interface->name
+                << "': " << std::setprecision(2)
+                << r.busiest_rank_pairs * n_ranks / pairs
+                << " times the mean of the ranks' pairs in the busiest";
+      }
     log.line(table.str());
     for (const std::string &sentence : advice(run))
       log.line(sentence);

@@ -2,6 +2,7 @@
 #include "solid_body.h"
 
 #include "hex_cells.h"
+#include "vtk_flags.h"
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -404,6 +405,7 @@ namespace Structure
                                std::string("stress_") + names[i],
                                DataOut<dim>::type_cell_data);
     data_out.build_patches(*mapping, elements[0].degree);
+    data_out.set_flags(fast_vtk_flags());
     data_out.write_vtu_in_parallel(file, communicator);
   }
 
