@@ -1,15 +1,30 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 // The hot loops one by one (Google Benchmark): clipping, the pair kernel with
-// and without its tangent, with friction, and the search over a growing cloud
-// of facets (BENCHMARKS X20). Build with -DMORTAR_CONTACT_BENCHMARKS=ON, run
+// and without its tangent, the search over a growing cloud of facets, and what
+// an interface takes per pair: update() of 60 x 60 on 49 x 49 facets, and the
+// assembly into a matrix. Build with -DMORTAR_CONTACT_BENCHMARKS=ON, run
 // build/micro_benchmarks.
 
 #include "../tests/support/facet_pair.h"
 
 #include <mortar_contact/geometry/clipping.h>
 #include <mortar_contact/laws/paper_law.h>
+#include <mortar_contact/mortar_contact.h>
 #include <mortar_contact/search/broad_phase.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <deal.II/dofs/dof_tools.h>
+
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/mapping_q.h>
+
+#include <deal.II/grid/grid_generator.h>
+
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/sparse_matrix.h>
 
 #include <benchmark/benchmark.h>
 
@@ -110,6 +125,78 @@ namespace
     state.SetComplexityN(state.range(0));
     state.SetItemsProcessed(state.iterations() * state.range(0));
   }
+
+  /// Two plates, one cell thick, whose meshes do not match.
+  struct Plates
+  {
+    Plates()
+      : mapping(1)
+      , fe(FE_Q<3>(1), 3)
+      , dof_handler(mesh)
+      , contact("plates", {}, MPI_COMM_SELF)
+    {
+      Triangulation<3> lower, upper;
+      GridGenerator::subdivided_hyper_rectangle(lower,
+                                                {60, 60, 1},
+                                                Point<3>(0., 0., 0.),
+                                                Point<3>(1., 1., 0.1));
+      GridGenerator::subdivided_hyper_rectangle(upper,
+                                                {49, 49, 1},
+                                                Point<3>(0., 0., 0.099),
+                                                Point<3>(1., 1., 0.2));
+      GridGenerator::merge_triangulations(lower, upper, mesh, 0.);
+      for (const auto &face : mesh.active_face_iterators())
+        if (face->at_boundary())
+          face->set_boundary_id(std::abs(face->center()[2] - 0.1) < 1e-9   ? 1 :
+                                std::abs(face->center()[2] - 0.099) < 1e-9 ? 2 :
+                                                                             0);
+      dof_handler.distribute_dofs(fe);
+      constraints.close();
+      u.reinit(dof_handler.n_dofs());
+      forces.reinit(u.size());
+      const auto modulus = [](const auto &) { return 100.; };
+      contact.add_secondary(
+        dof_handler, mapping, boundary_ids({1}), modulus, "lower");
+      contact.add_primary(
+        dof_handler, mapping, boundary_ids({2}), modulus, "upper");
+      contact.setup();
+      contact.update(u);
+      DynamicSparsityPattern dsp(u.size());
+      contact.add_couplings(dsp, constraints);
+      pattern.copy_from(dsp);
+      matrix.reinit(pattern);
+    }
+
+    Triangulation<3>          mesh;
+    MappingQ<3>               mapping;
+    FESystem<3>               fe;
+    DoFHandler<3>             dof_handler;
+    AffineConstraints<double> constraints;
+    ContactInterface<3>       contact;
+    Vector<double>            u, forces;
+    SparsityPattern           pattern;
+    SparseMatrix<double>      matrix;
+  };
+
+  void
+  interface_update(benchmark::State &state)
+  {
+    Plates plates;
+    for (auto _ : state)
+      plates.contact.update(plates.u);
+    state.SetItemsProcessed(state.iterations() *
+                            plates.contact.report().active_pairs);
+  }
+
+  void
+  assembly(benchmark::State &state)
+  {
+    Plates plates;
+    for (auto _ : state)
+      plates.contact.assemble(plates.matrix, plates.forces, plates.constraints);
+    state.SetItemsProcessed(state.iterations() *
+                            plates.contact.report().active_pairs);
+  }
 } // namespace
 
 BENCHMARK(clipping);
@@ -124,4 +211,13 @@ BENCHMARK(search)
   ->Range(1 << 12, 1 << 18)
   ->Unit(benchmark::kMillisecond)
   ->Complexity();
-BENCHMARK_MAIN();
+BENCHMARK(interface_update)->Unit(benchmark::kMillisecond);
+BENCHMARK(assembly)->Unit(benchmark::kMillisecond);
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+}

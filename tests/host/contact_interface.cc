@@ -276,8 +276,13 @@ TEST(ContactInterface, FlatBlocksGiveTheClosedFormOnAnyNumberOfRanks)
   EXPECT_NEAR(f.force[2], -7. * 0.49, 1e-12);
   EXPECT_NEAR(f.active_area, 0.49, 1e-13);
   EXPECT_NEAR(f.moment[0], -7. * 0.49 * 0.45, 1e-12);
-}
 
+  // the busiest rank has no less than the mean, no more than all
+  const unsigned int pairs = f.active_pairs + f.open_pairs,
+                     ranks = Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+  EXPECT_GE(f.busiest_rank_pairs * ranks, pairs);
+  EXPECT_LE(f.busiest_rank_pairs, pairs);
+}
 
 
 TEST(ContactInterface, SerialMatricesOfDealII)
@@ -306,6 +311,53 @@ TEST(ContactInterface, SerialMatricesOfDealII)
   forces.compress(VectorOperation::add);
   EXPECT_NEAR(matrix.frobenius_norm(), trilinos.frobenius_norm(), 1e-9);
   EXPECT_NEAR(rhs.l2_norm(), forces.l2_norm(), 1e-12);
+}
+
+
+TEST(ContactInterface, WideCouplingsHoldThePairsToCome)
+{
+  if (Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+    GTEST_SKIP() << "serial matrices";
+  TwoBlocks<3>                         blocks(0.02);
+  std::vector<types::global_dof_index> dofs(blocks.fe.n_dofs_per_cell());
+  // the upper block slides by two thirds of a facet's diameter
+  const auto slide = [&](const double motion) {
+    ContactInterface<3> contact("i", {}, MPI_COMM_SELF);
+    blocks.add_to(contact);
+    Vector<double>       u(blocks.dof_handler.n_dofs()), rhs(u.size());
+    SparsityPattern      pattern;
+    SparseMatrix<double> matrix;
+    unsigned int         n_patterns = 0;
+    for (unsigned int step = 0; step <= 10; ++step)
+      {
+        for (const auto &cell : blocks.dof_handler.active_cell_iterators())
+          if (cell->material_id() == 1)
+            {
+              cell->get_dof_indices(dofs);
+              for (unsigned int a = 0; a < dofs.size(); ++a)
+                if (blocks.fe.system_to_component_index(a).first == 0)
+                  u(dofs[a]) = 0.02 * step;
+            }
+        contact.update(u);
+        if (contact.report().couplings_changed)
+          {
+            DynamicSparsityPattern dsp(u.size());
+            contact.add_couplings(dsp, blocks.constraints, motion);
+            matrix.clear();
+            pattern.copy_from(dsp);
+            matrix.reinit(pattern);
+            ++n_patterns;
+          }
+        matrix = 0.;
+        contact.assemble(matrix, rhs, blocks.constraints);
+      }
+    return std::make_pair(n_patterns, matrix.frobenius_norm());
+  };
+  const auto [many, exact] = slide(0.);
+  const auto [one, norm]   = slide(1.);
+  EXPECT_GT(many, 1u);
+  EXPECT_EQ(one, 1u);
+  EXPECT_NEAR(norm, exact, 1e-12 * exact);
 }
 
 

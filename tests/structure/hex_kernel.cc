@@ -71,9 +71,12 @@ TEST(HexKernel, EqualsTheElement)
           Vector<double>     forces(24);
           FullMatrix<double> tangent(24, 24);
           ASSERT_TRUE(body->evaluate(c, u[c], nullptr, true, forces, tangent));
-          const double f     = forces.linfty_norm();
-          const double k     = tangent.linfty_norm();
-          const double along = mean ? kernel.bulk / result.volume[c] : 0.;
+          const double f      = forces.linfty_norm();
+          const double k      = tangent.linfty_norm();
+          const double along  = mean ? kernel.bulk / result.volume[c] : 0.;
+          const double energy = body->energy(c, u[c]);
+          EXPECT_GT(energy, 0.);
+          EXPECT_NEAR(forces_only.energy[c], energy, 1e-12 * energy);
           for (unsigned int a = 0, ab = 0; a < 8; ++a)
             for (unsigned int b = a; b < 8; ++b, ++ab)
               for (unsigned int i = 0; i < 3; ++i)

@@ -11,7 +11,7 @@ using namespace Test;
 
 namespace
 {
-  const std::string elastic =
+  const std::string glued_material =
     "Law = linear elastic|Young's modulus = 1000|Poisson's ratio = 0.3";
   const double G = 1000. / 2.6;
 
@@ -37,10 +37,10 @@ TEST(Tied, PatchTestOfTensionAndShear)
   const std::string scene =
     body("lower",
          "Lower corner = 0,0,0|Upper corner = 1,1,1|Cells = 3,3,2",
-         elastic) +
+         glued_material) +
     body("upper",
          "Lower corner = 0,0,1|Upper corner = 1,1,2|Cells = 4,2,2",
-         elastic) +
+         glued_material) +
     interface("i",
               "Kind = tied|Secondary = upper: boundary 4|Primary = lower: "
               "boundary 5|Stiffness = 1e5|Characteristic length = 0.1");
