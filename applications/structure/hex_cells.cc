@@ -65,6 +65,12 @@ namespace Structure
             for (unsigned int i = 0; i < 3; ++i)
               positions[c][3 * a + i] = x[i];
           }
+        const auto &of_cell = cells[c].dofs;
+        for (unsigned int a = 0; a < n_nodes; ++a)
+          cells[c].order[a] =
+            std::count_if(of_cell.begin(), of_cell.end(), [&](const auto dof) {
+              return dof < of_cell[a];
+            });
       }
   }
 
@@ -240,12 +246,6 @@ namespace Structure
                            const Target                 &target,
                            PressureUnknowns             &pressures) const
   {
-    const auto set = [&](const unsigned int             n,
-                         const types::global_dof_index *dofs,
-                         const double                  *values) {
-      if (n > 0)
-        pressures.derivative.set(row, n, dofs, values, false);
-    };
     if (cell.is_plain)
       {
         // owned columns are in order: node after node
@@ -258,16 +258,8 @@ namespace Structure
                            indices);
         Assert(n_entries == n_dofs, ExcInternalError());
         for (unsigned int a = 0; a < n_nodes; ++a)
-          {
-            const unsigned int place =
-              std::count_if(cell.dofs.begin(),
-                            cell.dofs.end(),
-                            [&](const auto other) {
-                              return other < cell.dofs[a];
-                            });
-            for (unsigned int i = 0; i < 3; ++i)
-              values[3 * place + i] = result.dv[a][i][lane];
-          }
+          for (unsigned int i = 0; i < 3; ++i)
+            values[3 * cell.order[a] + i] = result.dv[a][i][lane];
         return;
       }
     std::map<types::global_dof_index, double> sums;
@@ -291,7 +283,9 @@ namespace Structure
         dofs.push_back(dof);
         values.push_back(value);
       }
-    set(dofs.size(), dofs.data(), values.data());
+    if (!dofs.empty())
+      pressures.derivative.set(
+        row, dofs.size(), dofs.data(), values.data(), false);
     pressures.prescribed(row) = prescribed;
   }
 

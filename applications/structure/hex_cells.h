@@ -60,7 +60,8 @@ namespace Structure
     {
       std::array<types::global_dof_index, n_nodes> dofs; ///< Of x; y, z follow.
       std::array<unsigned int, n_nodes>            ghosted; ///< In its vector.
-      bool is_owned = false;                                ///< All dofs are.
+      std::array<std::uint8_t, n_nodes> order; ///< Place among sorted dofs.
+      bool                              is_owned = false; ///< All dofs are.
       bool is_plain = false; ///< And none is constrained.
     };
 

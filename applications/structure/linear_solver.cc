@@ -22,8 +22,8 @@ namespace Structure
     constexpr unsigned int old_factors_from = 20000, most_with_old_factors = 16;
     constexpr double       falls = 0.1;
 
-    /// A new multigrid in iterations of FGMRES: what it takes at half a million
-    /// cells. Iterations that an old one may take more in one solution.
+    /// Iterations of FGMRES that an old multigrid may take more than at first,
+    /// all in all (about what a new one takes), and in one solution.
     constexpr unsigned int setup_cost = 15, most_in_vain = 60;
 
     /// Residual over right-hand side that is as good as a direct solution.

@@ -32,9 +32,9 @@ namespace Structure
     list.set("null space: dimension", modes->NumVectors());
     list.set("null space: vectors", modes->Values());
     list.set("smoother: type (level 0)", "do-nothing");
-    // the product of the matrix with a smooth prolongation would be the peak of
-    // the memory: at half a million cells 2 GB more on two ranks, and three
-    // times the time, for a fifth fewer iterations
+    // The product of the matrix with a smooth prolongation would be the peak of
+    // the memory, in three times the time, for a fifth fewer iterations
+    // (benchmarks/results.md).
     list.sublist("aggregation: list (level 0)")
       .set("aggregation: smoothing sweeps", 0);
     below.initialize(A, list);
