@@ -44,7 +44,7 @@ case " $* " in
 esac
 # Colours for terminals only: the ranks write to one that mpirun makes.
 [ -t 1 ] || export NO_COLOR=1
-# Matrices on large pages: a quarter faster to read on many virtual machines.
+# Memory in large pages: a loop that reads a matrix was a quarter faster with them.
 export GLIBC_TUNABLES=${GLIBC_TUNABLES:-glibc.malloc.hugetlb=1}
 # Ctrl-C goes to this script, which asks the ranks to finish their step and save;
 # mpirun would end them within two seconds.
