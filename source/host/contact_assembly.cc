@@ -412,6 +412,8 @@ namespace MortarContact
 
 
 
+  template IndexSet
+  ContactInterface<2>::active_dofs(const IndexSet &) const;
   template std::vector<types::global_dof_index>
   ContactInterface<2>::dofs_of(const unsigned int,
                                const unsigned int,
@@ -429,6 +431,8 @@ namespace MortarContact
   template double
   ContactInterface<2>::check_tangent_at_fetched(const double,
                                                 const unsigned int);
+  template IndexSet
+  ContactInterface<3>::active_dofs(const IndexSet &) const;
   template std::vector<types::global_dof_index>
   ContactInterface<3>::dofs_of(const unsigned int,
                                const unsigned int,
