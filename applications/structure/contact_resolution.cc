@@ -22,38 +22,32 @@ namespace Structure
     jump_and_height(const MortarContact::ContactInterface<dim> &interface,
                     const MPI_Comm                              communicator)
     {
-      const auto states = MortarContact::facet_states(interface, communicator);
-      double     jump = 0., low = std::numeric_limits<double>::max(),
-             high      = std::numeric_limits<double>::lowest();
-      std::size_t next = 0;
-      for (unsigned int side = 0; side < 2; ++side)
+      double jump = 0., low = std::numeric_limits<double>::max(),
+             high = std::numeric_limits<double>::lowest();
+      struct Range
+      {
+        double low  = std::numeric_limits<double>::max();
+        double high = 0.;
+      };
+      std::map<std::pair<unsigned int, unsigned int>, Range> at_vertex;
+      for (const auto &state :
+           MortarContact::facet_states(interface, communicator))
         {
-          struct Range
-          {
-            double low  = std::numeric_limits<double>::max();
-            double high = 0.;
-          };
-          std::map<unsigned int, Range> at_vertex;
-          const auto                   &skin = interface.surface(side).skin;
-          for (unsigned int f = 0; f < skin.facets.size(); ++f)
+          if (state.penetration <= 0.)
+            continue;
+          const double size =
+            std::pow(MortarContact::area(state.current), 1. / (dim - 1));
+          for (unsigned int a = 0; a < state.current.n_vertices; ++a)
             {
-              const auto &state = states[next++];
-              if (state.penetration <= 0.)
-                continue;
-              const double size =
-                std::pow(MortarContact::area(state.current), 1. / (dim - 1));
-              for (unsigned int a = 0; a < state.current.n_vertices; ++a)
-                {
-                  Range &range = at_vertex[skin.vertices[f][a]];
-                  range.low    = std::min(range.low, state.penetration / size);
-                  range.high   = std::max(range.high, state.penetration / size);
-                  low          = std::min(low, state.current.x[a][dim - 1]);
-                  high         = std::max(high, state.current.x[a][dim - 1]);
-                }
+              Range &range = at_vertex[{state.side, state.vertices[a]}];
+              range.low    = std::min(range.low, state.penetration / size);
+              range.high   = std::max(range.high, state.penetration / size);
+              low          = std::min(low, state.current.x[a][dim - 1]);
+              high         = std::max(high, state.current.x[a][dim - 1]);
             }
-          for (const auto &[vertex, range] : at_vertex)
-            jump = std::max(jump, range.high - range.low);
         }
+      for (const auto &[vertex, range] : at_vertex)
+        jump = std::max(jump, range.high - range.low);
       return {jump, std::max(0., high - low)};
     }
   } // namespace

@@ -100,28 +100,21 @@ namespace Structure
         errors.back() = body->gradient_jumps(of_body);
       }
     for (const auto &interface : model.interfaces)
-      {
-        std::array<unsigned int, 2> next = {{0, 0}};
-        for (const auto &state :
-             MortarContact::facet_states(*interface, model.communicator))
+      for (const auto &state :
+           MortarContact::facet_states(*interface, model.communicator))
+        for (unsigned int b = 0; b < errors.size(); ++b)
           {
-            const unsigned int f = next[state.side]++;
-            for (unsigned int b = 0; b < errors.size(); ++b)
-              {
-                if (errors[b].empty() ||
-                    state.label.part != model.bodies[b]->name)
-                  continue;
-                const auto   p   = state.pressure.begin();
-                const auto   end = p + state.current.n_vertices;
-                const double jump =
-                  *std::max_element(p, end) - *std::min_element(p, end);
-                errors[b][model.bodies[b]->active_number(state.label.cell)] +=
-                  MortarContact::diameter(state.reference) *
-                  MortarContact::area(state.reference) * jump * jump /
-                  (24. * interface->surface(state.side).cell_modulus[f]);
-              }
+            if (errors[b].empty() || state.label.part != model.bodies[b]->name)
+              continue;
+            const auto   p   = state.pressure.begin();
+            const auto   end = p + state.current.n_vertices;
+            const double jump =
+              *std::max_element(p, end) - *std::min_element(p, end);
+            errors[b][model.bodies[b]->active_number(state.label.cell)] +=
+              MortarContact::diameter(state.reference) *
+              MortarContact::area(state.reference) * jump * jump /
+              (24. * state.modulus);
           }
-      }
     return errors;
   }
 

@@ -61,25 +61,6 @@ namespace MortarContact
 
 
   template <int dim>
-  IndexSet
-  ContactInterface<dim>::active_dofs(const IndexSet &owned) const
-  {
-    std::vector<unsigned int> is_active(dofs.size(), 0);
-    for_each_pair([&](const unsigned int sweep, const auto &pair) {
-      for (const auto dof : dofs_of(sweep, pair.secondary, pair.primary))
-        is_active[place_of(dof)] = 1;
-    });
-    Utilities::MPI::max(is_active, communicator, is_active);
-    IndexSet result(owned.size());
-    for (std::size_t i = 0; i < dofs.size(); ++i)
-      if (is_active[i] != 0 && owned.is_element(dofs[i]))
-        result.add_index(dofs[i]);
-    result.compress();
-    return result;
-  }
-
-
-  template <int dim>
   void
   ContactInterface<dim>::distribute_pair(
     const unsigned int                            sweep,
@@ -338,7 +319,7 @@ namespace MortarContact
       size = std::max(size, diameter(facet.reference));
     size = Utilities::MPI::max(size, communicator);
 
-    // contact forces, and tangent times a direction
+    // contact forces of this rank's pairs, and their tangent times a direction
     const auto evaluate_at = [&](const std::vector<double> &at,
                                  const bool                 with_tangent) {
       values = at;
@@ -366,18 +347,20 @@ namespace MortarContact
             for (unsigned int c = 0; c < pair_dofs.size(); ++c)
               result[index(r)] += tangent(r, c) * (*direction)[index(c)];
       });
-      Utilities::MPI::sum(result, communicator, result);
       return result;
     };
 
-    std::mt19937                           random(1);
     std::uniform_real_distribution<double> uniform(-1., 1.);
     double                                 worst = 0.;
     for (unsigned int sample = 0; sample < n_samples; ++sample)
       {
+        // the same on all ranks that know a dof
         std::vector<double> direction(dofs.size());
-        for (double &d : direction)
-          d = uniform(random);
+        for (std::size_t i = 0; i < dofs.size(); ++i)
+          {
+            std::mt19937 random(dofs[i] * n_samples + sample);
+            direction[i] = uniform(random);
+          }
         evaluate_at(base, true);
         const std::vector<double> exact = collect(&direction);
         double                    best  = std::numeric_limits<double>::max();
@@ -399,6 +382,8 @@ namespace MortarContact
                 error = std::max(error, std::abs(difference - exact[i]));
                 scale = std::max(scale, std::abs(exact[i]));
               }
+            error = Utilities::MPI::max(error, communicator);
+            scale = Utilities::MPI::max(scale, communicator);
             if (scale > 0.)
               best = std::min(best, error / scale);
             else
@@ -412,8 +397,6 @@ namespace MortarContact
 
 
 
-  template IndexSet
-  ContactInterface<2>::active_dofs(const IndexSet &) const;
   template std::vector<types::global_dof_index>
   ContactInterface<2>::dofs_of(const unsigned int,
                                const unsigned int,
@@ -431,8 +414,6 @@ namespace MortarContact
   template double
   ContactInterface<2>::check_tangent_at_fetched(const double,
                                                 const unsigned int);
-  template IndexSet
-  ContactInterface<3>::active_dofs(const IndexSet &) const;
   template std::vector<types::global_dof_index>
   ContactInterface<3>::dofs_of(const unsigned int,
                                const unsigned int,

@@ -8,8 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
-#include <set>
 #include <sstream>
 
 namespace MortarContact
@@ -227,17 +227,23 @@ namespace MortarContact
     surfaces[side].build(extracted[side], stiffness, communicator);
 
     // rigid facets have neither modulus nor length
-    InitialReport &initial      = last_report.initial;
-    initial.n_side_facets[side] = surfaces[side].skin.facets.size();
+    InitialReport &initial = last_report.initial;
+    initial.n_side_facets[side] =
+      Utilities::MPI::sum(surfaces[side].skin.n_own, communicator);
     const auto range =
-      [](const std::vector<double> &values, double &lowest, double &highest) {
-        lowest = highest = 0.;
+      [&](const std::vector<double> &values, double &lowest, double &highest) {
+        lowest  = std::numeric_limits<double>::max();
+        highest = 0.;
         for (const double v : values)
           if (v > 0.)
             {
-              lowest  = (lowest == 0.) ? v : std::min(lowest, v);
+              lowest  = std::min(lowest, v);
               highest = std::max(highest, v);
             }
+        highest = Utilities::MPI::max(highest, communicator);
+        lowest  = Utilities::MPI::min(lowest, communicator);
+        if (highest == 0.)
+          lowest = 0.;
       };
     range(surfaces[side].cell_modulus,
           initial.lowest_modulus[side],
@@ -266,18 +272,19 @@ namespace MortarContact
   ContactInterface<dim>::setup()
   {
     // nothing of an earlier mesh must survive
-    partitioner.reset();
-    fetched_owned      = IndexSet();
+    fetched_owned = IndexSet();
+    for (auto &of_side : told)
+      of_side.clear();
     pattern_is_current = false;
     last_report        = ContactReport();
     last_report.name   = name;
 
-    committed_time    = 0.;
-    last_time         = 0.;
-    dissipation       = 0.;
-    largest_tool_step = 1.;
-    accepted_values.clear();
-    committed_values.clear();
+    committed_time       = 0.;
+    last_time            = 0.;
+    dissipation          = 0.;
+    largest_tool_step    = 1.;
+    has_committed_values = false;
+    has_accepted_values  = false;
 
     const bool is_single =
       parameters.kind == ContactParameters::Kind::automatic_single_surface;
@@ -325,14 +332,12 @@ namespace MortarContact
                 ExcMessage("Interface '" + name +
                            "': both sides are rigid; expected at least one "
                            "deformable body."));
-    dofs              = surfaces[0].dofs();
-    const auto others = surfaces[1].dofs();
-    dofs.insert(dofs.end(), others.begin(), others.end());
-    for (const auto &body : rigid_bodies)
-      dofs.insert(dofs.end(), body->dofs().begin(), body->dofs().end());
-    std::sort(dofs.begin(), dofs.end());
-    dofs.erase(std::unique(dofs.begin(), dofs.end()), dofs.end());
-    values.assign(dofs.size(), 0.);
+    dofs = known_dofs();
+    end_of_dofs =
+      Utilities::MPI::max(dofs.empty() ? 0 : dofs.back() + 1, communicator);
+    for (auto *state : {&values, &committed_values, &accepted_values})
+      state->assign(dofs.size(), 0.);
+    number_parts();
 
     KernelOptions options;
     options.integration    = parameters.integration;
@@ -363,6 +368,10 @@ namespace MortarContact
         if (parameters.kind == ContactParameters::Kind::tied)
           strength.law = TieStrength::Law::never;
         const PairKernel<dim> kernel(*law, nullptr, options);
+        bring_near({tie_regions(surfaces[0].skin,
+                                surfaces[1].skin,
+                                parameters.tie.tolerance)},
+                   {{own_boxes(0), own_boxes(1)}});
         tie_sweep = std::make_unique<TieSweep<dim>>(surfaces[0].skin,
                                                     surfaces[1].skin,
                                                     strength,
@@ -405,22 +414,9 @@ namespace MortarContact
       sweep->start(removal_share(parameters.initial_penetration,
                                  0.,
                                  parameters.removal_time));
-    number_parts();
     evaluate(0., false);
     accepted_report = last_report;
     is_set_up       = true;
-  }
-
-
-  template <int dim>
-  IndexSet
-  ContactInterface<dim>::relevant_dofs(
-    const types::global_dof_index n_dofs) const
-  {
-    IndexSet result(n_dofs);
-    result.add_indices(dofs.begin(), dofs.end());
-    result.compress();
-    return result;
   }
 
 
@@ -454,51 +450,12 @@ namespace MortarContact
     };
     for (unsigned int side = 0; side < 2; ++side)
       {
-        part_of_facet[side].clear();
-        for (const FacetLabel &label : surfaces[side].labels)
-          part_of_facet[side].push_back(number(label.part));
+        number_of_part[side].clear();
+        for (const std::string &part : surfaces[side].parts)
+          number_of_part[side].push_back(number(part));
       }
     if (obstacle)
       part_of_obstacle = number(obstacle->name);
-  }
-
-
-  template <int dim>
-  void
-  ContactInterface<dim>::prepare_fetch(const IndexSet &owned)
-  {
-    const bool is_new = !partitioner || owned.size() != fetched_owned.size() ||
-                        !(owned == fetched_owned);
-    if (!Utilities::MPI::logical_or(is_new, communicator))
-      return;
-    fetched_owned = owned;
-    own_dofs.clear();
-    // numbered as in dofs: all ranks have the same
-    IndexSet own(dofs.size());
-    for (std::size_t i = 0; i < dofs.size(); ++i)
-      if (owned.is_element(dofs[i]))
-        {
-          own_dofs.push_back(dofs[i]);
-          own.add_index(i);
-        }
-    own.compress();
-    partitioner = std::make_unique<Utilities::MPI::NoncontiguousPartitioner>(
-      own, complete_index_set(dofs.size()), communicator);
-  }
-
-
-  template <int dim>
-  void
-  ContactInterface<dim>::exchange(const std::vector<double> &own_values)
-  {
-    partitioner->template export_to_ghosted_array<double>(
-      ArrayView<const double>(own_values.data(), own_values.size()),
-      ArrayView<double>(values.data(), values.size()));
-    const bool is_wrong =
-      std::any_of(values.begin(), values.end(), [](const double v) {
-        return !std::isfinite(v);
-      });
-    is_finite = !Utilities::MPI::logical_or(is_wrong, communicator);
   }
 
 
@@ -528,6 +485,7 @@ namespace MortarContact
       search = search || sweep->needs_search();
     if (Utilities::MPI::logical_or(search, communicator))
       {
+        bring_candidates_near();
         bool changed = false;
         coupled.resize(sweeps.size());
         for (unsigned int i = 0; i < sweeps.size(); ++i)
@@ -596,6 +554,8 @@ namespace MortarContact
     committed_time              = time;
     committed_values            = values;
     accepted_values             = values;
+    has_committed_values        = true;
+    has_accepted_values         = true;
     last_report.n_augmentations = 0;
     accepted_report             = last_report;
   }
@@ -611,19 +571,19 @@ namespace MortarContact
     sweeps[0]->set_tied(held);
     // the other sweep's points look at facets that are tied: they have no
     // contact either
-    std::vector<unsigned int> tied_primary;
-    const auto               &owned = sweeps[0]->owned_facets();
+    std::map<unsigned int, std::vector<unsigned int>> tied_primary;
     for (const auto &[s, p] : tie_sweep->candidates())
-      if (held[std::lower_bound(owned.begin(), owned.end(), s) - owned.begin()])
-        tied_primary.push_back(p);
-    std::vector<char>      by_owned;
-    std::set<unsigned int> all;
-    for (const auto &of_rank :
-         Utilities::MPI::all_gather(communicator, tied_primary))
-      all.insert(of_rank.begin(), of_rank.end());
-    for (const unsigned int f : sweeps[1]->owned_facets())
-      by_owned.push_back(all.count(f) > 0);
-    sweeps[1]->set_tied(by_owned);
+      if (held[s])
+        {
+          const auto [rank, number] = surfaces[1].origin(p);
+          tied_primary[rank].push_back(number);
+        }
+    std::vector<char> is_held(surfaces[1].skin.n_own, false);
+    for (const auto &[rank, facets] :
+         Utilities::MPI::some_to_some(communicator, tied_primary))
+      for (const unsigned int f : facets)
+        is_held[f] = true;
+    sweeps[1]->set_tied(is_held);
   }
 
 

@@ -4,9 +4,15 @@
 #include <deal.II/base/data_out_base.h>
 #include <deal.II/base/mpi.h>
 
+#include <boost/serialization/array.hpp>
+#include <boost/serialization/utility.hpp>
+#include <boost/serialization/vector.hpp>
+
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <tuple>
 
 namespace MortarContact
 {
@@ -72,21 +78,19 @@ namespace MortarContact
 
   template <int dim>
   std::vector<FacetState<dim>>
-  facet_states(const ContactInterface<dim> &contact,
-               const MPI_Comm               communicator)
+  own_facet_states(const ContactInterface<dim> &contact,
+                   const MPI_Comm               communicator)
   {
-    // Step 1: forces on the vertices of all facets, by side, from all sweeps:
-    // the share that each sweep carries has no meaning of its own.
     constexpr unsigned int V = max_vertices<dim>;
-    std::vector<double>    force[2], depth[2];
+    using Status             = typename FacetState<dim>::Status;
+    // Step 1: forces on the vertices of facets, by side, from all sweeps: the
+    // share that each sweep carries has no meaning of its own. Those on facets
+    // of other ranks go there: number, forces, depths and status.
+    constexpr unsigned int n = V * dim + 3;
+    std::vector<double>    of_side[2];
     for (unsigned int side = 0; side < 2; ++side)
-      {
-        const unsigned int n = contact.surface(side).skin.facets.size();
-        force[side].resize(n * V * dim, 0.);
-        depth[side].resize(3 * n, 0.);
-      }
+      of_side[side].resize(contact.surface(side).skin.facets.size() * n, 0.);
     contact.for_each_pair([&](const unsigned int i, const auto &pair) {
-      using Status        = typename FacetState<dim>::Status;
       const auto  &block  = pair.block;
       const Status status = contact.ties() != nullptr && block.overlap == 0. &&
                                 block.penetration == 0. ?
@@ -99,69 +103,126 @@ namespace MortarContact
           const unsigned int f    = (role == 0) ? pair.secondary : pair.primary;
           if (f >= contact.surface(side).skin.facets.size())
             continue; // an obstacle
+          double *v = &of_side[side][f * n];
           for (unsigned int k = 0; k < V * dim; ++k)
-            force[side][f * V * dim + k] +=
-              block.residual[role * max_facet_components<dim> + k];
-          double *d = &depth[side][3 * f];
-          d[0]      = std::max(d[0], block.penetration);
-          d[1]      = std::max(d[1], block.relative_penetration);
-          d[2]      = std::max(d[2], static_cast<double>(status));
+            v[k] += block.residual[role * max_facet_components<dim> + k];
+          v += V * dim;
+          v[0] = std::max(v[0], block.penetration);
+          v[1] = std::max(v[1], block.relative_penetration);
+          v[2] = std::max(v[2], static_cast<double>(status));
         }
     });
-
-    // Step 2: pressures, from the sums at the vertices.
     std::vector<FacetState<dim>> states;
     for (unsigned int side = 0; side < 2; ++side)
       {
-        Utilities::MPI::sum(force[side], communicator, force[side]);
-        Utilities::MPI::max(depth[side], communicator, depth[side]);
+        const ContactSurface<dim> &surface = contact.surface(side);
+        const Skin<dim>           &skin    = surface.skin;
+        std::vector<double>       &values  = of_side[side];
+        std::map<unsigned int,
+                 std::pair<std::vector<unsigned int>, std::vector<double>>>
+          to_others;
+        for (unsigned int f = skin.n_own; f < skin.facets.size(); ++f)
+          if (values[f * n + V * dim + 2] != 0.)
+            {
+              const auto [rank, number] = surface.origin(f);
+              to_others[rank].first.push_back(number);
+              to_others[rank].second.insert(to_others[rank].second.end(),
+                                            values.begin() + f * n,
+                                            values.begin() + (f + 1) * n);
+            }
+        for (const auto &[rank, received] :
+             Utilities::MPI::some_to_some(communicator, to_others))
+          for (std::size_t k = 0; k < received.first.size(); ++k)
+            {
+              double       *v = &values[received.first[k] * n];
+              const double *w = &received.second[k * n];
+              for (unsigned int c = 0; c < V * dim; ++c)
+                v[c] += w[c];
+              for (unsigned int c = V * dim; c < n; ++c)
+                v[c] = std::max(v[c], w[c]);
+            }
 
-        struct Sums
-        {
-          double         normal = 0., area = 0.;
-          Tensor<1, dim> tangential;
-        };
-        const ContactSurface<dim>   &surface = contact.surface(side);
-        const Skin<dim>             &skin    = surface.skin;
-        std::map<unsigned int, Sums> at_vertex;
-        for (unsigned int f = 0; f < skin.facets.size(); ++f)
+        // Step 2: sums at the vertices: normal force, area, tangential force.
+        std::map<types::global_dof_index, std::vector<double>> at_vertices;
+        for (unsigned int f = 0; f < skin.n_own; ++f)
           {
-            const Facet<dim>    &facet = skin.facets[f].current;
-            const Tensor<1, dim> w     = centre_normal(facet);
-            const Tensor<1, dim> n     = w / w.norm();
+            const Facet<dim>    &facet  = skin.facets[f].current;
+            const Tensor<1, dim> w      = centre_normal(facet);
+            const Tensor<1, dim> normal = w / w.norm();
             for (unsigned int a = 0; a < facet.n_vertices; ++a)
               {
-                Sums          &sums = at_vertex[skin.vertices[f][a]];
+                auto &sums = at_vertices[skin.vertices[f][a]];
+                sums.resize(2 + dim, 0.);
                 Tensor<1, dim> F;
                 for (unsigned int c = 0; c < dim; ++c)
-                  F[c] = force[side][(f * V + a) * dim + c];
-                sums.normal += F * n;
-                sums.tangential += F - (F * n) * n;
-                sums.area += area(facet) / facet.n_vertices;
+                  F[c] = values[f * n + a * dim + c];
+                const Tensor<1, dim> tangential = F - (F * normal) * normal;
+                sums[0] += F * normal;
+                sums[1] += area(facet) / facet.n_vertices;
+                for (unsigned int c = 0; c < dim; ++c)
+                  sums[2 + c] += tangential[c];
               }
           }
-        for (unsigned int f = 0; f < skin.facets.size(); ++f)
+        sum_at_vertices(at_vertices, communicator);
+
+        // Step 3: pressures.
+        for (unsigned int f = 0; f < skin.n_own; ++f)
           {
+            const double   *depths = &values[f * n + V * dim];
             FacetState<dim> state;
             state.current     = skin.facets[f].current;
             state.reference   = skin.facets[f].reference;
-            state.penetration = depth[side][3 * f];
-            state.relative =
-              depth[side][3 * f + 1] / contact.parameters.largest_share();
-            state.status = static_cast<typename FacetState<dim>::Status>(
-              std::lround(depth[side][3 * f + 2]));
-            state.side  = side;
-            state.label = surface.labels[f];
+            state.penetration = depths[0];
+            state.relative    = depths[1] / contact.parameters.largest_share();
+            state.status      = static_cast<Status>(std::lround(depths[2]));
+            state.side        = side;
+            state.modulus     = surface.cell_modulus[f];
+            state.label       = surface.labels[f];
+            state.face        = surface.faces[f];
+            state.vertices    = skin.vertices[f];
             for (unsigned int a = 0; a < state.current.n_vertices; ++a)
               {
-                const Sums &sums  = at_vertex[skin.vertices[f][a]];
-                state.pressure[a] = sums.normal / sums.area;
-                state.shear[a]    = sums.tangential.norm() / sums.area;
+                const auto    &sums = at_vertices[skin.vertices[f][a]];
+                Tensor<1, dim> tangential;
+                for (unsigned int c = 0; c < dim; ++c)
+                  tangential[c] = sums[2 + c];
+                state.pressure[a] = sums[0] / sums[1];
+                state.shear[a]    = tangential.norm() / sums[1];
               }
             states.push_back(state);
           }
       }
     return states;
+  }
+
+
+  namespace
+  {
+    /// States of several ranks in the order of surfaces on one rank.
+    template <int dim>
+    std::vector<FacetState<dim>>
+    in_order(const std::vector<std::vector<FacetState<dim>>> &of_ranks)
+    {
+      std::vector<FacetState<dim>> states;
+      for (const auto &of_rank : of_ranks)
+        states.insert(states.end(), of_rank.begin(), of_rank.end());
+      std::sort(states.begin(), states.end(), [](const auto &a, const auto &b) {
+        return std::tie(a.side, a.label.part, a.label.cell, a.face) <
+               std::tie(b.side, b.label.part, b.label.cell, b.face);
+      });
+      return states;
+    }
+  } // namespace
+
+
+  template <int dim>
+  std::vector<FacetState<dim>>
+  facet_states(const ContactInterface<dim> &contact,
+               const MPI_Comm               communicator)
+  {
+    return in_order(
+      Utilities::MPI::all_gather(communicator,
+                                 own_facet_states(contact, communicator)));
   }
 
 
@@ -171,7 +232,9 @@ namespace MortarContact
                     const std::string           &file,
                     const MPI_Comm               communicator)
   {
-    const auto states = facet_states(contact, communicator);
+    const auto states =
+      in_order(Utilities::MPI::gather(communicator,
+                                      own_facet_states(contact, communicator)));
     if (Utilities::MPI::this_mpi_process(communicator) != 0)
       return;
     std::ofstream out(file);
@@ -180,6 +243,10 @@ namespace MortarContact
   }
 
 
+  template std::vector<FacetState<2>>
+  own_facet_states(const ContactInterface<2> &, const MPI_Comm);
+  template std::vector<FacetState<3>>
+  own_facet_states(const ContactInterface<3> &, const MPI_Comm);
   template std::vector<FacetState<2>>
   facet_states(const ContactInterface<2> &, const MPI_Comm);
   template std::vector<FacetState<3>>

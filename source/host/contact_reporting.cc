@@ -27,6 +27,10 @@ namespace MortarContact
     initial.treatment      = parameters.initial_penetration;
     initial.asked_pressure = parameters.initial_pressure;
 
+    std::vector<std::vector<Box<dim>>> regions;
+    for (const auto &sweep : sweeps)
+      regions.push_back(sweep->initial_regions(treatment));
+    bring_near(regions, {{own_boxes(0), own_boxes(1)}});
     std::vector<DeepPenetration> deepest, undetected;
     for (unsigned int i = 0; i < sweeps.size(); ++i)
       {
@@ -85,7 +89,7 @@ namespace MortarContact
                                       const unsigned int       i) const
   {
     // where rigid bodies were is not known
-    if (!rigid_bodies.empty() || accepted_values.empty() ||
+    if (!rigid_bodies.empty() || !has_accepted_values ||
         sweep.too_deep(deepest_share()).empty())
       return {};
     std::array<std::vector<double>, 2> motion; ///< Largest of each facet.
@@ -182,7 +186,7 @@ namespace MortarContact
           const unsigned int facet =
             (role == 0) ? pair.secondary : pair.primary;
           double *of_part =
-            &of_parts[6 * part_of_facet[side_of(i, role)][facet]];
+            &of_parts[6 * part_of_facet(side_of(i, role), facet)];
           for (unsigned int c = 0; c < 3; ++c)
             {
               of_part[c] += force[c];

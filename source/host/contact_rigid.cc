@@ -8,6 +8,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 #include <sstream>
@@ -87,70 +88,94 @@ namespace MortarContact
   ContactInterface<dim>::check_tool_normals()
   {
     // Angles this close to tangential say nothing, as a cosine.
-    constexpr double            judged  = 0.3;
-    InitialReport              &initial = last_report.initial;
-    ContactSurface<dim>        &tool    = surfaces[1];
-    std::vector<unsigned int>   wrong;
-    std::vector<Tensor<1, dim>> centres;
-    for (const auto &s : surfaces[0].skin.facets)
-      centres.push_back(centre(s.current));
-    const PointLocator<dim> blank(centres);
-    for (unsigned int p = 0; p < tool.skin.facets.size(); ++p)
-      {
-        if (!tool.vertex(p, 0).row.empty())
-          continue; // faces of solids point outwards
-        // it must face the nearest facet of the blank
-        const Facet<dim>    &facet   = tool.skin.facets[p].current;
-        const Tensor<1, dim> c       = centre(facet);
-        const Tensor<1, dim> w       = centre_normal(facet);
-        const auto           nearest = blank.find(c, diameter(facet));
-        const Tensor<1, dim> n =
-          centre_normal(surfaces[0].skin.facets[*nearest].current);
-        if (w * n > judged * w.norm() * n.norm())
-          wrong.push_back(p);
-      }
-    if (wrong.empty())
-      return;
+    constexpr double judged  = 0.3;
+    InitialReport   &initial = last_report.initial;
 
-    // A closed body whose normals point outwards is right, also where its far
-    // side points away from the blank.
-    std::map<unsigned int, double> volume;
-    for (unsigned int p = 0; p < tool.skin.facets.size(); ++p)
-      if (tool.vertex(p, 0).row.empty())
-        volume[tool.vertex(p, 0).rigid_body] += 0.;
-    std::map<unsigned int, std::map<std::set<unsigned int>, int>> ridges;
-    for (unsigned int p = 0; p < tool.skin.facets.size(); ++p)
-      if (tool.vertex(p, 0).row.empty())
+    // Step 1: which facets do not face the nearest facet of the blank? All
+    // ranks know the tool, each knows a part of the blank. Faces of solids
+    // point outwards.
+    struct ToolFacet
+    {
+      const RigidBody<dim> *body;
+      unsigned int          number; ///< In the body.
+      Facet<dim>            facet;  ///< Where it is.
+    };
+    std::vector<ToolFacet> tool;
+    for (const auto &body : surfaces[1].rigid_bodies)
+      for (unsigned int f = 0; f < body->facets.size(); ++f)
         {
-          const unsigned int n = tool.skin.facets[p].current.n_vertices;
-          for (unsigned int a = 0; a < n; ++a)
-            {
-              std::set<unsigned int> ridge = {tool.skin.vertices[p][a]};
-              if (dim == 3)
-                ridge.insert(tool.skin.vertices[p][(a + 1) % n]);
-              ++ridges[tool.vertex(p, 0).rigid_body][ridge];
-            }
-          volume[tool.vertex(p, 0).rigid_body] +=
-            centre(tool.skin.facets[p].current) *
-            centre_normal(tool.skin.facets[p].current);
+          Facet<dim> facet;
+          facet.n_vertices = body->facets[f].size();
+          for (unsigned int a = 0; a < facet.n_vertices; ++a)
+            facet.x[a] =
+              body->motion().place(body->vertices[body->facets[f][a]]);
+          tool.push_back({body.get(), f, facet});
         }
-    std::set<unsigned int> fine;
-    for (const auto &[body, of_body] : ridges)
-      if (volume[body] > 0. &&
-          std::all_of(of_body.begin(), of_body.end(), [](const auto &r) {
-            return r.second == 2;
-          }))
-        fine.insert(body);
-    wrong.erase(std::remove_if(wrong.begin(),
-                               wrong.end(),
-                               [&](const unsigned int p) {
-                                 return fine.count(
-                                          tool.vertex(p, 0).rigid_body) > 0;
-                               }),
-                wrong.end());
+    const Skin<dim>            &blank = surfaces[0].skin;
+    std::vector<Tensor<1, dim>> centres;
+    for (unsigned int f = 0; f < blank.n_own; ++f)
+      centres.push_back(centre(blank.facets[f].current));
+    const PointLocator<dim>   locator(centres);
+    std::vector<double>       nearest(tool.size(),
+                                std::numeric_limits<double>::max());
+    std::vector<unsigned int> faces_away(tool.size(), 0);
+    for (unsigned int p = 0; p < tool.size(); ++p)
+      {
+        const Tensor<1, dim> c     = centre(tool[p].facet);
+        const Tensor<1, dim> w     = centre_normal(tool[p].facet);
+        const auto           found = locator.find(c, diameter(tool[p].facet));
+        if (!found)
+          continue;
+        const Tensor<1, dim> n = centre_normal(blank.facets[*found].current);
+        nearest[p]             = (centres[*found] - c).norm_square();
+        faces_away[p]          = w * n > judged * w.norm() * n.norm();
+      }
+    std::vector<double> nearest_of_all(tool.size());
+    Utilities::MPI::min(nearest, communicator, nearest_of_all);
+    for (unsigned int p = 0; p < tool.size(); ++p)
+      if (nearest[p] > nearest_of_all[p])
+        faces_away[p] = 0;
+    Utilities::MPI::max(faces_away, communicator, faces_away);
+
+    // Step 2: a closed body whose normals point outwards is right, also where
+    // its far side points away from the blank.
+    const auto is_closed = [](const RigidBody<dim> &body) {
+      std::map<std::set<unsigned int>, int> ridges;
+      double                                volume = 0.;
+      for (const auto &vertices : body.facets)
+        {
+          Facet<dim> facet;
+          facet.n_vertices = vertices.size();
+          for (unsigned int a = 0; a < vertices.size(); ++a)
+            {
+              std::set<unsigned int> ridge = {vertices[a]};
+              if (dim == 3)
+                ridge.insert(vertices[(a + 1) % vertices.size()]);
+              ++ridges[ridge];
+              facet.x[a] = body.vertices[vertices[a]];
+            }
+          volume += centre(facet) * centre_normal(facet);
+        }
+      return volume > 0. &&
+             std::all_of(ridges.begin(), ridges.end(), [](const auto &r) {
+               return r.second == 2;
+             });
+    };
+    std::map<const RigidBody<dim> *, bool> fine;
+    std::vector<ToolFacet>                 wrong;
+    for (unsigned int p = 0; p < tool.size(); ++p)
+      if (faces_away[p])
+        {
+          const auto of_body = fine.try_emplace(tool[p].body, false);
+          if (of_body.second)
+            of_body.first->second = is_closed(*tool[p].body);
+          if (!of_body.first->second)
+            wrong.push_back(tool[p]);
+        }
     if (wrong.empty())
       return;
 
+    // Step 3: say so, or turn them.
     if (parameters.kind != ContactParameters::Kind::forming_surface_to_surface)
       {
         initial.n_facing_away = wrong.size();
@@ -162,22 +187,20 @@ namespace MortarContact
         message
           << "Interface '" << name << "': the normals of " << wrong.size()
           << " facets of the tool do not point to the blank, the first is "
-          << "facet " << tool.labels[wrong[0]].cell << " of '"
-          << tool.labels[wrong[0]].part << "' at ("
-          << centre(tool.skin.facets[wrong[0]].current)
+          << "facet " << wrong[0].number << " of '" << wrong[0].body->name
+          << "' at (" << centre(wrong[0].facet)
           << "). Turn them in the mesh, or set 'Tool normals' to 'turn'.";
         AssertThrow(false, ExcMessage(message.str()));
       }
     initial.n_turned = wrong.size();
     for (auto &facet : extracted[1])
-      for (const unsigned int p : wrong)
-        if (facet.vertices[0].row.empty() &&
-            facet.label.part == tool.labels[p].part &&
-            facet.label.cell == tool.labels[p].cell)
+      for (const ToolFacet &w : wrong)
+        if (facet.vertices[0].row.empty() && facet.label.part == w.body->name &&
+            facet.label.cell == w.number)
           std::reverse(facet.vertices.begin(),
                        facet.vertices.begin() + facet.n_vertices);
     build_surface(1);
-    tool.move([](const auto) { return 0.; });
+    surfaces[1].move([](const auto) { return 0.; });
   }
 
 
@@ -209,36 +232,53 @@ namespace MortarContact
       });
     if (!moves || !is_set_up || time == committed_time)
       return;
-    const std::vector<double> now = values;
-    largest_tool_step =
-      safe_step_between(committed_values.empty() ? now : committed_values,
-                        committed_time,
-                        now,
-                        time);
-    values = now;
+    std::vector<double> now    = values;
+    std::vector<double> before = has_committed_values ? committed_values : now;
+    largest_tool_step = safe_step_between(before, committed_time, now, time);
+    values            = now;
   }
 
 
   template <int dim>
   double
-  ContactInterface<dim>::safe_step_between(const std::vector<double> &from,
-                                           const double               from_time,
-                                           const std::vector<double> &to,
-                                           const double               to_time)
+  ContactInterface<dim>::safe_step_between(std::vector<double> &from,
+                                           const double         from_time,
+                                           std::vector<double> &to,
+                                           const double         to_time)
   {
-    values = to;
-    place_rigid_bodies(to_time);
     std::vector<Facet<dim>> moved[2];
-    for (unsigned int side = 0; side < 2; ++side)
-      moved[side] =
-        surfaces[side].moved([&](const auto dof) { return value(dof); });
-    RigidMotion<dim> end;
-    if (obstacle)
-      end = obstacle->motion();
-    values = from;
-    place_rigid_bodies(from_time);
-    for (auto &surface : surfaces)
-      surface.move([&](const auto dof) { return value(dof); });
+    RigidMotion<dim>        end;
+    const auto              go = [&]() {
+      values = to;
+      place_rigid_bodies(to_time);
+      for (unsigned int side = 0; side < 2; ++side)
+        moved[side] =
+          surfaces[side].moved([&](const auto dof) { return value(dof); });
+      if (obstacle)
+        end = obstacle->motion();
+      values = from;
+      place_rigid_bodies(from_time);
+      for (auto &surface : surfaces)
+        surface.move([&](const auto dof) { return value(dof); });
+    };
+    go();
+    // facets of other ranks that are far now may be near on the way
+    if (Utilities::MPI::n_mpi_processes(communicator) > 1 && !obstacle)
+      {
+        std::array<std::vector<Box<dim>>, 2> boxes;
+        for (unsigned int side = 0; side < 2; ++side)
+          {
+            const Skin<dim> &skin = surfaces[side].skin;
+            for (unsigned int f = 0; f < skin.n_own; ++f)
+              boxes[side].push_back(
+                box_around(skin.facets[f].current, moved[side][f]));
+          }
+        std::vector<std::vector<Box<dim>>> regions;
+        for (unsigned int i = 0; i < sweeps.size(); ++i)
+          regions.push_back(sweeps[i]->swept_regions(moved[side_of(i, 0)]));
+        bring_near(regions, boxes, {&from, &to});
+        go();
+      }
 
     double step = 1.;
     for (unsigned int i = 0; i < sweeps.size(); ++i)
@@ -265,9 +305,9 @@ namespace MortarContact
   template void
   ContactInterface<2>::check_motion_of_tools(const double);
   template double
-  ContactInterface<2>::safe_step_between(const std::vector<double> &,
+  ContactInterface<2>::safe_step_between(std::vector<double> &,
                                          const double,
-                                         const std::vector<double> &,
+                                         std::vector<double> &,
                                          const double);
   template void
   ContactInterface<3>::add_secondary(const std::shared_ptr<RigidBody<3>> &);
@@ -283,8 +323,8 @@ namespace MortarContact
   template void
   ContactInterface<3>::check_motion_of_tools(const double);
   template double
-  ContactInterface<3>::safe_step_between(const std::vector<double> &,
+  ContactInterface<3>::safe_step_between(std::vector<double> &,
                                          const double,
-                                         const std::vector<double> &,
+                                         std::vector<double> &,
                                          const double);
 } // namespace MortarContact

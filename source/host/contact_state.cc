@@ -129,6 +129,7 @@ namespace MortarContact
     place_rigid_bodies(committed_time);
     for (auto &surface : surfaces)
       surface.move([&](const auto dof) { return value(dof); });
+    bring_candidates_near();
     for (unsigned int i = 0; i < n; ++i)
       sweeps[i]->continue_from(histories[i],
                                parameters.initial_penetration ==
@@ -139,10 +140,12 @@ namespace MortarContact
           ties, Utilities::MPI::this_mpi_process(communicator) == 0);
         exclude_tied_facets();
       }
-    last_time        = committed_time;
-    committed_values = values;
-    accepted_values  = values;
-    accepted_report  = last_report;
+    last_time            = committed_time;
+    committed_values     = values;
+    accepted_values      = values;
+    has_committed_values = true;
+    has_accepted_values  = true;
+    accepted_report      = last_report;
   }
 
 

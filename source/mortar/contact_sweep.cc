@@ -62,39 +62,19 @@ namespace MortarContact
     , law(law)
     , kernel(law, friction, options)
     , weight(weight)
+    , margin(margin_share * secondary.sizes.mean_diameter)
+    , surface_offset(secondary.sizes.largest_offset +
+                     primary.sizes.largest_offset)
   {
     Assert(obstacle == nullptr ||
              options.integration.rule != Integration::Rule::segments,
            ExcMessage("A surface without facets has no segments."));
-    double sum = 0.;
-    for (unsigned int f = 0; f < secondary.facets.size(); ++f)
-      {
-        sum += diameter(secondary.facets[f].reference);
-        if (secondary.is_owned[f])
-          owned.push_back(f);
-      }
-    for (const auto &f : primary.facets)
-      {
-        largest_length_p = std::max(largest_length_p, largest(f));
-        largest_compliance_p =
-          std::max(largest_compliance_p,
-                   *std::max_element(f.compliance.begin(),
-                                     f.compliance.begin() +
-                                       f.current.n_vertices));
-      }
-    if (!secondary.facets.empty())
-      surface_offset =
-        std::abs(secondary.facets[0].surface_offset) +
-        (primary.facets.empty() ? 0. :
-                                  std::abs(primary.facets[0].surface_offset));
     if (friction != nullptr)
       {
-        history.elastic_slip.resize(owned.size());
-        history.sliding.resize(owned.size(), VertexValues<dim>{});
+        history.elastic_slip.resize(secondary.n_own);
+        history.sliding.resize(secondary.n_own, VertexValues<dim>{});
         store_before();
       }
-    margin =
-      margin_share * sum / std::max<std::size_t>(1, secondary.facets.size());
   }
 
 
@@ -109,10 +89,14 @@ namespace MortarContact
                         facet.compliance.begin() + facet.current.n_vertices);
     if ((kernel.options.stiffness_side == StiffnessSide::secondary &&
          c_s > 0.) ||
-        largest_length_p <= l_s)
+        primary.sizes.largest_length <= l_s)
       return l_s;
     // grows with the primary's share
-    return in_series(c_s, l_s, largest_compliance_p, largest_length_p).length;
+    return in_series(c_s,
+                     l_s,
+                     primary.sizes.largest_compliance,
+                     primary.sizes.largest_length)
+      .length;
   }
 
 
@@ -146,11 +130,19 @@ namespace MortarContact
     searched_s = current_facets(secondary);
     searched_p = current_facets(primary);
     last_reach = 0.;
-    for (const unsigned int f : owned)
+    for (unsigned int f = 0; f < secondary.n_own; ++f)
       last_reach = std::max(last_reach, reach(f) + surface_offset);
 
     pairs = find_pairs(margin);
     drop_pairs_aside();
+  }
+
+
+  template <int dim>
+  double
+  ContactSweep<dim>::motion_of(const double diameters) const
+  {
+    return margin + diameters * secondary.sizes.mean_diameter;
   }
 
 
@@ -160,7 +152,7 @@ namespace MortarContact
   {
     if (diameters == 0.)
       return pairs;
-    const auto wide = find_pairs((1. + diameters / margin_share) * margin);
+    const auto wide = find_pairs(motion_of(diameters));
     std::vector<std::pair<unsigned int, unsigned int>> result;
     std::set_union(pairs.begin(),
                    pairs.end(),
@@ -172,18 +164,51 @@ namespace MortarContact
 
 
   template <int dim>
+  Box<dim>
+  ContactSweep<dim>::region_of(const unsigned int f,
+                               const Facet<dim>  &facet,
+                               const double       motion) const
+  {
+    // the box of the facet, swept inwards over the depth that counts
+    Box<dim>             box    = box_around(facet);
+    const Tensor<1, dim> w      = centre_normal(facet);
+    const Tensor<1, dim> inward = -reach(f) / w.norm() * w;
+    for (unsigned int a = 0; a < facet.n_vertices; ++a)
+      extend(box, Tensor<1, dim>(facet.x[a] + inward));
+    inflate(box, motion + surface_offset);
+    return box;
+  }
+
+
+  template <int dim>
+  std::vector<Box<dim>>
+  ContactSweep<dim>::regions(const double diameters) const
+  {
+    std::vector<Box<dim>> result;
+    result.reserve(secondary.n_own);
+    for (unsigned int f = 0; f < secondary.n_own; ++f)
+      // commit() looks everywhere whether a released facet has opened
+      result.push_back(
+        is_released(f) ?
+          everywhere<dim>() :
+          region_of(f, secondary.facets[f].current, motion_of(diameters)));
+    return result;
+  }
+
+
+  template <int dim>
   std::vector<std::pair<unsigned int, unsigned int>>
   ContactSweep<dim>::find_pairs(const double motion) const
   {
     std::vector<std::pair<unsigned int, unsigned int>> found;
     if (obstacle != nullptr)
       {
-        for (const unsigned int f : owned)
+        for (unsigned int f = 0; f < secondary.n_own; ++f)
           if (secondary.facets[f].compliance[0] > 0.)
             found.emplace_back(f, 0);
         return found;
       }
-    if (owned.empty() || searched_p.empty())
+    if (secondary.n_own == 0 || searched_p.empty())
       return found;
 
     // Step 1: the boxes of both sides. Sides that are far from each other are
@@ -194,15 +219,9 @@ namespace MortarContact
       boxes.push_back(box_around(f));
     const Box<dim>                                 all = box_around(boxes);
     std::vector<std::pair<unsigned int, Box<dim>>> near;
-    for (const unsigned int f : owned)
+    for (unsigned int f = 0; f < secondary.n_own; ++f)
       {
-        // the box of the facet, swept inwards over the depth that counts
-        Box<dim>             box    = box_around(searched_s[f]);
-        const Tensor<1, dim> w      = centre_normal(searched_s[f]);
-        const Tensor<1, dim> inward = -reach(f) / w.norm() * w;
-        for (unsigned int a = 0; a < searched_s[f].n_vertices; ++a)
-          extend(box, Tensor<1, dim>(searched_s[f].x[a] + inward));
-        inflate(box, motion + surface_offset);
+        const Box<dim> box = region_of(f, searched_s[f], motion);
         if (intersect(box, all))
           near.emplace_back(f, box);
       }
@@ -225,21 +244,20 @@ namespace MortarContact
 
   template <int dim>
   SecondaryState<dim>
-  ContactSweep<dim>::state_of(const unsigned int o, FacetSlip<dim> &slip) const
+  ContactSweep<dim>::state_of(const unsigned int f, FacetSlip<dim> &slip) const
   {
     SecondaryState<dim> state;
-    const unsigned int  f = owned[o];
     const unsigned int  n = secondary.facets[f].current.n_vertices;
     if (!history.level.empty())
       {
         state.share = last_share;
-        state.level = extrapolate_to_vertices<dim>(n, history.level[o]);
+        state.level = extrapolate_to_vertices<dim>(n, history.level[f]);
       }
     if (!augmentation.empty())
-      state.augmentation = extrapolate_to_vertices<dim>(n, augmentation[o]);
+      state.augmentation = extrapolate_to_vertices<dim>(n, augmentation[f]);
     if (kernel.point.has_friction())
       {
-        slip           = slips[o];
+        slip           = slips[f];
         slip.share     = history.share;
         slip.time_step = last_time_step;
         state.slip     = &slip;
@@ -250,9 +268,9 @@ namespace MortarContact
 
   template <int dim>
   bool
-  ContactSweep<dim>::has_no_contact(const unsigned int o) const
+  ContactSweep<dim>::has_no_contact(const unsigned int f) const
   {
-    return is_released(o) || (!history.tied.empty() && history.tied[o]);
+    return is_released(f) || (!history.tied.empty() && history.tied[f]);
   }
 
 
@@ -300,13 +318,13 @@ namespace MortarContact
 
   template <int dim>
   std::vector<unsigned int>
-  ContactSweep<dim>::candidates_of(const unsigned int o,
+  ContactSweep<dim>::candidates_of(const unsigned int f,
                                    unsigned int      &next) const
   {
     std::vector<unsigned int> near;
-    while (next < pairs.size() && pairs[next].first < owned[o])
+    while (next < pairs.size() && pairs[next].first < f)
       ++next;
-    for (; next < pairs.size() && pairs[next].first == owned[o]; ++next)
+    for (; next < pairs.size() && pairs[next].first == f; ++next)
       near.push_back(pairs[next].second);
     return near;
   }
@@ -314,9 +332,9 @@ namespace MortarContact
 
   template <int dim>
   bool
-  ContactSweep<dim>::is_released(const unsigned int o) const
+  ContactSweep<dim>::is_released(const unsigned int f) const
   {
-    return !history.released.empty() && history.released[o];
+    return !history.released.empty() && history.released[f];
   }
 
 
@@ -355,16 +373,15 @@ namespace MortarContact
       }
 
     unsigned int next = 0;
-    for (unsigned int o = 0; o < owned.size() && next < pairs.size(); ++o)
+    for (unsigned int f = 0; f < secondary.n_own && next < pairs.size(); ++f)
       {
-        if (pairs[next].first != owned[o])
+        if (pairs[next].first != f)
           continue;
-        const unsigned int        f     = owned[o];
         const ContactFacet<dim>  &facet = secondary.facets[f];
         const SecondaryFrame<dim> frame(facet.current);
         FacetSlip<dim>            slip;
-        const SecondaryState<dim> state   = state_of(o, slip);
-        const bool                dropped = has_no_contact(o);
+        const SecondaryState<dim> state   = state_of(f, slip);
+        const bool                dropped = has_no_contact(f);
         for (; next < pairs.size() && pairs[next].first == f; ++next)
           {
             const unsigned int p = pairs[next].second;
@@ -394,18 +411,17 @@ namespace MortarContact
   ContactSweep<dim>::evaluate_points(const bool with_tangent)
   {
     unsigned int next = 0;
-    for (unsigned int o = 0; o < owned.size() && next < pairs.size(); ++o)
+    for (unsigned int f = 0; f < secondary.n_own && next < pairs.size(); ++f)
       {
-        const std::vector<unsigned int> near = candidates_of(o, next);
-        if (near.empty() || has_no_contact(o))
+        const std::vector<unsigned int> near = candidates_of(f, next);
+        if (near.empty() || has_no_contact(f))
           continue;
-        const unsigned int       f     = owned[o];
         const ContactFacet<dim> &facet = secondary.facets[f];
         if (obstacle != nullptr && !may_meet_obstacle(f))
           continue;
         const SecondaryFrame<dim> frame(facet.current);
         FacetSlip<dim>            slip;
-        const SecondaryState<dim> state = state_of(o, slip);
+        const SecondaryState<dim> state = state_of(f, slip);
 
         const std::size_t first_active = active.size();
         for (const unsigned int p : near)
@@ -640,16 +656,61 @@ namespace MortarContact
 
 
   template <int dim>
-  InitialFindings<dim>
-  ContactSweep<dim>::detect_initial(const InitialTreatment &treatment)
+  std::array<double, 2>
+  ContactSweep<dim>::initial_ranges(const unsigned int         f,
+                                    const SecondaryFrame<dim> &frame,
+                                    const InitialTreatment    &treatment) const
   {
     // Penetrations beyond what is treated must be found to be reported.
     constexpr double look_deeper = 2.;
     // So many facets deep, where nothing of the same surface can be meant: a
     // smooth body knows what is inside; between two surfaces it is only told.
-    const double          facets_deep = (obstacle != nullptr)    ? 20. :
-                                        (&secondary != &primary) ? 5. :
-                                                                   0.;
+    const double facets_deep = (obstacle != nullptr)    ? 20. :
+                               (&secondary != &primary) ? 5. :
+                                                          0.;
+    const double l           = longest(f);
+    // at least as deep as contact will act
+    const double near_range =
+      std::max(kernel.options.ceiling * l,
+               look_deeper * ((treatment.deepest > 0.) ?
+                                treatment.deepest :
+                                treatment.largest_share * l));
+    return {{near_range, std::max(near_range, facets_deep * far_of(frame))}};
+  }
+
+
+  template <int dim>
+  Box<dim>
+  ContactSweep<dim>::initial_region(const unsigned int      f,
+                                    const InitialTreatment &treatment) const
+  {
+    const Facet<dim>         &facet = secondary.facets[f].current;
+    const SecondaryFrame<dim> frame(facet);
+    const double              range = initial_ranges(f, frame, treatment)[1];
+    Box<dim>                  box   = box_around(facet);
+    for (unsigned int a = 0; a < facet.n_vertices; ++a)
+      for (const double by : {-range, longest(f)})
+        extend(box, Tensor<1, dim>(facet.x[a] + by * frame.normal));
+    inflate(box, margin + surface_offset);
+    return box;
+  }
+
+
+  template <int dim>
+  std::vector<Box<dim>>
+  ContactSweep<dim>::initial_regions(const InitialTreatment &treatment) const
+  {
+    std::vector<Box<dim>> result;
+    for (unsigned int f = 0; f < secondary.n_own; ++f)
+      result.push_back(initial_region(f, treatment));
+    return result;
+  }
+
+
+  template <int dim>
+  InitialFindings<dim>
+  ContactSweep<dim>::detect_initial(const InitialTreatment &treatment)
+  {
     std::vector<Box<dim>> boxes;
     for (const auto &p : primary.facets)
       boxes.push_back(box_around(p.current));
@@ -662,27 +723,14 @@ namespace MortarContact
     InitialFindings<dim> findings;
     history.level.clear();
     history.released.clear();
-    for (unsigned int o = 0; o < owned.size(); ++o)
+    for (unsigned int f = 0; f < secondary.n_own; ++f)
       {
         // Step 1: the primary facets around.
-        const unsigned int       f     = owned[o];
-        const ContactFacet<dim> &facet = secondary.facets[f];
-        const unsigned int       n     = facet.current.n_vertices;
-        const double             l     = longest(f);
-        // at least as deep as contact will act
-        const double near_range =
-          std::max(kernel.options.ceiling * l,
-                   look_deeper * ((treatment.deepest > 0.) ?
-                                    treatment.deepest :
-                                    treatment.largest_share * l));
+        const ContactFacet<dim>  &facet = secondary.facets[f];
         const SecondaryFrame<dim> frame(facet.current);
-        const double range = std::max(near_range, facets_deep * far_of(frame));
-        Box<dim>     box   = box_around(facet.current);
-        for (unsigned int a = 0; a < n; ++a)
-          for (const double by : {-range, l})
-            extend(box, Tensor<1, dim>(facet.current.x[a] + by * frame.normal));
-        inflate(box, margin + surface_offset);
-        std::vector<unsigned int> near = broad_phase.find(box);
+        const auto [near_range, range] = initial_ranges(f, frame, treatment);
+        std::vector<unsigned int> near =
+          broad_phase.find(initial_region(f, treatment));
         near.erase(std::remove_if(near.begin(),
                                   near.end(),
                                   [&](const unsigned int p) {
@@ -728,8 +776,8 @@ namespace MortarContact
             if (!is_out_of_sight || obstacle != nullptr)
               {
                 if (history.released.empty())
-                  history.released.resize(owned.size(), false);
-                history.released[o] = true;
+                  history.released.resize(secondary.n_own, false);
+                history.released[f] = true;
               }
             continue;
           }
@@ -747,14 +795,14 @@ namespace MortarContact
 
         // Step 4: keep the levels.
         if (history.level.empty())
-          history.level.resize(owned.size(), VertexValues<dim>{});
+          history.level.resize(secondary.n_own, VertexValues<dim>{});
         for (unsigned int q = 0; q < depths.at_points.size(); ++q)
           {
             const Depth &at = *depths.at_points[q];
             const double remaining =
               at.stiffness.length *
               law.inverse(treatment.remaining_pressure / at.stiffness.modulus);
-            history.level[o][q] =
+            history.level[f][q] =
               (at.depth > 0.) ? at.depth - remaining : at.depth;
           }
       }
@@ -783,17 +831,16 @@ namespace MortarContact
     if (!kernel.point.has_friction())
       return;
     unsigned int next = 0;
-    for (unsigned int o = 0; o < owned.size(); ++o)
+    for (unsigned int f = 0; f < secondary.n_own; ++f)
       {
-        const std::vector<unsigned int> near = candidates_of(o, next);
-        const unsigned int              f    = owned[o];
+        const std::vector<unsigned int> near = candidates_of(f, next);
         const unsigned int        n = secondary.facets[f].current.n_vertices;
         FacetSlip<dim>            slip;
-        const auto                state = state_of(o, slip);
+        const auto                state = state_of(f, slip);
         const SecondaryFrame<dim> frame(secondary.facets[f].current);
         const auto                points = material_points<dim>(n);
-        history.elastic_slip[o]          = {};
-        if (near.empty() || has_no_contact(o))
+        history.elastic_slip[f]          = {};
+        if (near.empty() || has_no_contact(f))
           continue;
         for (unsigned int q = 0; q < points.size(); ++q)
           {
@@ -806,8 +853,8 @@ namespace MortarContact
                                     state,
                                     primary_point(at->primary, at->hit),
                                     points[q]);
-            history.elastic_slip[o][q] = s.elastic_slip;
-            history.sliding[o][q] += s.slip;
+            history.elastic_slip[f][q] = s.elastic_slip;
+            history.sliding[f][q] += s.slip;
           }
       }
     store_before();
@@ -825,19 +872,18 @@ namespace MortarContact
 
   template <int dim>
   std::vector<double>
-  ContactSweep<dim>::depths_at_points(const unsigned int o,
+  ContactSweep<dim>::depths_at_points(const unsigned int f,
                                       unsigned int      &next) const
   {
-    const std::vector<unsigned int> near = candidates_of(o, next);
-    const unsigned int              f    = owned[o];
+    const std::vector<unsigned int> near = candidates_of(f, next);
     const unsigned int              n = secondary.facets[f].current.n_vertices;
     const auto                      points = material_points<dim>(n);
     std::vector<double>             depths(points.size(),
                                std::numeric_limits<double>::lowest());
-    if (near.empty() || has_no_contact(o))
+    if (near.empty() || has_no_contact(f))
       return depths;
     FacetSlip<dim>            slip;
-    const SecondaryState<dim> state = state_of(o, slip);
+    const SecondaryState<dim> state = state_of(f, slip);
     const SecondaryFrame<dim> frame(secondary.facets[f].current);
     for (unsigned int q = 0; q < points.size(); ++q)
       if (const auto at = depth_at(frame, points[q], f, near, reach(f)))
@@ -858,11 +904,11 @@ namespace MortarContact
   {
     double       largest_depth = 0.;
     unsigned int next          = 0;
-    for (unsigned int o = 0; o < owned.size(); ++o)
+    for (unsigned int f = 0; f < secondary.n_own; ++f)
       {
-        const std::vector<double> depths = depths_at_points(o, next);
+        const std::vector<double> depths = depths_at_points(f, next);
         for (unsigned int q = 0; q < depths.size(); ++q)
-          if ((augmentation.empty() ? 0. : augmentation[o][q]) + depths[q] > 0.)
+          if ((augmentation.empty() ? 0. : augmentation[f][q]) + depths[q] > 0.)
             largest_depth = std::max(largest_depth, std::abs(depths[q]));
       }
     return largest_depth;
@@ -874,15 +920,15 @@ namespace MortarContact
   ContactSweep<dim>::augment()
   {
     if (augmentation.empty())
-      augmentation.resize(owned.size(), VertexValues<dim>{});
+      augmentation.resize(secondary.n_own, VertexValues<dim>{});
     unsigned int next = 0;
-    for (unsigned int o = 0; o < owned.size(); ++o)
+    for (unsigned int f = 0; f < secondary.n_own; ++f)
       {
-        const std::vector<double> depths = depths_at_points(o, next);
+        const std::vector<double> depths = depths_at_points(f, next);
         VertexValues<dim>         A      = {};
         for (unsigned int q = 0; q < depths.size(); ++q)
-          A[q] = std::max(0., augmentation[o][q] + depths[q]);
-        augmentation[o] = A;
+          A[q] = std::max(0., augmentation[f][q] + depths[q]);
+        augmentation[f] = A;
       }
   }
 
@@ -903,24 +949,22 @@ namespace MortarContact
     // bilinear, depths of curved surfaces are not: at rest some points press
     // and others are open, and levels that followed those would creep.
     const bool        tracks = track && !history.level.empty();
-    std::vector<char> presses(tracks ? owned.size() : 0, 0);
+    std::vector<char> presses(tracks ? secondary.n_own : 0, 0);
     if (tracks)
       for (const ActivePair &pair : active)
-        presses[std::lower_bound(owned.begin(), owned.end(), pair.secondary) -
-                owned.begin()] = 1;
+        presses[pair.secondary] = 1;
 
     unsigned int next = 0;
-    for (unsigned int o = 0; o < owned.size(); ++o)
+    for (unsigned int f = 0; f < secondary.n_own; ++f)
       {
-        const unsigned int        f    = owned[o];
-        std::vector<unsigned int> near = candidates_of(o, next);
+        std::vector<unsigned int> near = candidates_of(f, next);
 
-        const bool follows = tracks && !presses[o];
-        if (!follows && !is_released(o))
+        const bool follows = tracks && !presses[f];
+        if (!follows && !is_released(f))
           continue;
 
         // a released facet may have sunk out of reach: look at everything
-        if (is_released(o))
+        if (is_released(f))
           {
             near.resize(obstacle != nullptr ? 1 : primary.facets.size());
             std::iota(near.begin(), near.end(), 0u);
@@ -928,29 +972,51 @@ namespace MortarContact
         const FacetDepths depths =
           depths_of(f,
                     near,
-                    is_released(o) ? std::numeric_limits<double>::max() :
+                    is_released(f) ? std::numeric_limits<double>::max() :
                                      reach(f));
         if (follows)
           for (unsigned int q = 0; q < depths.at_points.size(); ++q)
             {
               // out of sight is open
               const std::optional<Depth> &d = depths.at_points[q];
-              history.level[o][q] =
-                std::min(history.level[o][q], d ? d->depth : 0.);
+              history.level[f][q] =
+                std::min(history.level[f][q], d ? d->depth : 0.);
             }
         const bool is_open = !depths.deepest || depths.deepest->depth <= 0.;
-        if (is_released(o) && is_open)
-          history.released[o] = false;
+        if (is_released(f) && is_open)
+          history.released[f] = false;
       }
 
     if (!released.empty())
       {
         if (history.released.empty())
-          history.released.resize(owned.size(), false);
+          history.released.resize(secondary.n_own, false);
         for (const unsigned int f : released)
-          history.released[std::lower_bound(owned.begin(), owned.end(), f) -
-                           owned.begin()] = true;
+          history.released[f] = true;
+        searched_s.clear(); // from now on they look everywhere: search
       }
+  }
+
+
+  template <int dim>
+  Box<dim>
+  ContactSweep<dim>::swept_region(const unsigned int f,
+                                  const Facet<dim>  &moved) const
+  {
+    Box<dim> box = box_around(secondary.facets[f].current, moved);
+    inflate(box, surface_offset);
+    return box;
+  }
+
+
+  template <int dim>
+  std::vector<Box<dim>>
+  ContactSweep<dim>::swept_regions(const std::vector<Facet<dim>> &moved) const
+  {
+    std::vector<Box<dim>> result;
+    for (unsigned int f = 0; f < secondary.n_own; ++f)
+      result.push_back(swept_region(f, moved[f]));
+    return result;
   }
 
 
@@ -960,25 +1026,17 @@ namespace MortarContact
                                const std::vector<Facet<dim>> &moved_p) const
   {
     double step = 1.;
-    if (owned.empty() || moved_p.empty())
+    if (secondary.n_own == 0 || moved_p.empty())
       return step;
 
     std::vector<Box<dim>> boxes;
     for (unsigned int p = 0; p < moved_p.size(); ++p)
-      {
-        boxes.push_back(box_around(primary.facets[p].current));
-        for (unsigned int a = 0; a < moved_p[p].n_vertices; ++a)
-          extend(boxes.back(), moved_p[p].x[a]);
-      }
+      boxes.push_back(box_around(primary.facets[p].current, moved_p[p]));
     const Box<dim>                                 all = box_around(boxes);
     std::vector<std::pair<unsigned int, Box<dim>>> near;
-    for (const unsigned int f : owned)
+    for (unsigned int f = 0; f < secondary.n_own; ++f)
       {
-        const Facet<dim> &facet = secondary.facets[f].current;
-        Box<dim>          box   = box_around(facet);
-        for (unsigned int a = 0; a < facet.n_vertices; ++a)
-          extend(box, moved_s[f].x[a]);
-        inflate(box, surface_offset);
+        const Box<dim> box = swept_region(f, moved_s[f]);
         if (intersect(box, all))
           near.emplace_back(f, box);
       }
@@ -1033,7 +1091,7 @@ namespace MortarContact
                                            const RigidMotion<dim> &motion) const
   {
     double step = 1.;
-    for (const unsigned int f : owned)
+    for (unsigned int f = 0; f < secondary.n_own; ++f)
       {
         const Facet<dim>         &facet = secondary.facets[f].current;
         const SecondaryFrame<dim> frame(facet);

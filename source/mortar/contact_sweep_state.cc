@@ -95,7 +95,7 @@ namespace MortarContact
   ContactSweep<dim>::restore(const ContactHistory<dim> &saved)
   {
     const auto fits = [&](const auto &entries) {
-      return entries.empty() || entries.size() == owned.size();
+      return entries.empty() || entries.size() == secondary.n_own;
     };
     AssertThrow(fits(saved.level) && fits(saved.released) &&
                   fits(saved.elastic_slip) && fits(saved.augmentation) &&
@@ -126,15 +126,15 @@ namespace MortarContact
   ContactSweep<dim>::prepare_slips()
   {
     slips.resize(history.elastic_slip.size());
-    for (unsigned int o = 0; o < slips.size(); ++o)
+    for (unsigned int f = 0; f < slips.size(); ++f)
       {
-        const SecondaryFrame<dim> frame(history.before[0][owned[o]]);
-        slips[o].before = frame.facet;
-        slips[o].normal = frame.normal;
-        slips[o].basis  = frame.basis;
-        slips[o].elastic =
+        const SecondaryFrame<dim> frame(history.before[0][f]);
+        slips[f].before = frame.facet;
+        slips[f].normal = frame.normal;
+        slips[f].basis  = frame.basis;
+        slips[f].elastic =
           extrapolate_to_vertices<dim>(frame.facet.n_vertices,
-                                       history.elastic_slip[o]);
+                                       history.elastic_slip[f]);
       }
   }
 
@@ -157,9 +157,19 @@ namespace MortarContact
 
   template <int dim>
   void
-  ContactSweep<dim>::set_tied(const std::vector<char> &by_owned_facet)
+  ContactSweep<dim>::set_tied(const std::vector<char> &is_held)
   {
-    history.tied = by_owned_facet;
+    history.tied = is_held;
+  }
+
+
+  template <int dim>
+  void
+  ContactSweep<dim>::remember_primary(const std::vector<Facet<dim>> &before)
+  {
+    history.before[1].insert(history.before[1].end(),
+                             before.begin(),
+                             before.end());
   }
 
 
@@ -167,22 +177,22 @@ namespace MortarContact
   std::vector<FacetHistory<dim>>
   ContactSweep<dim>::facet_histories() const
   {
-    std::vector<FacetHistory<dim>> result(owned.size());
-    for (unsigned int o = 0; o < owned.size(); ++o)
+    std::vector<FacetHistory<dim>> result(secondary.n_own);
+    for (unsigned int f = 0; f < secondary.n_own; ++f)
       {
-        FacetHistory<dim> &h = result[o];
-        h.undeformed         = secondary.facets[owned[o]].reference;
-        h.part               = secondary.parts[owned[o]];
-        h.is_released        = is_released(o);
+        FacetHistory<dim> &h = result[f];
+        h.undeformed         = secondary.facets[f].reference;
+        h.part               = secondary.parts[f];
+        h.is_released        = is_released(f);
         if (!history.level.empty())
-          h.level = history.level[o];
+          h.level = history.level[f];
         if (!history.augmentation.empty())
-          h.augmentation = history.augmentation[o];
+          h.augmentation = history.augmentation[f];
         if (!history.elastic_slip.empty())
           {
-            h.elastic_slip = history.elastic_slip[o];
-            h.sliding      = history.sliding[o];
-            h.accepted     = history.before[0][owned[o]];
+            h.elastic_slip = history.elastic_slip[f];
+            h.sliding      = history.sliding[f];
+            h.accepted     = history.before[0][f];
           }
       }
     return result;
@@ -243,36 +253,35 @@ namespace MortarContact
     // levels that do not follow openings are those that were found on this
     // mesh: the other surface may be another, too
     if (saved.has_levels && follows_openings && next.level.empty())
-      next.level.resize(owned.size(), VertexValues<dim>{});
+      next.level.resize(secondary.n_own, VertexValues<dim>{});
     // so are facets that are too deep on it
     if (saved.has_releases && next.released.empty())
-      next.released.resize(owned.size(), false);
-    next.augmentation.assign(saved.has_augmentation ? owned.size() : 0,
+      next.released.resize(secondary.n_own, false);
+    next.augmentation.assign(saved.has_augmentation ? secondary.n_own : 0,
                              VertexValues<dim>{});
     if (kernel.point.has_friction())
       {
         next.before = {{current_facets(secondary), current_facets(primary)}};
         next.elastic_slip.assign(
-          owned.size(), std::array<PlanePoint<dim>, max_vertices<dim>>{});
-        next.sliding.assign(owned.size(), VertexValues<dim>{});
+          secondary.n_own, std::array<PlanePoint<dim>, max_vertices<dim>>{});
+        next.sliding.assign(secondary.n_own, VertexValues<dim>{});
       }
-    for (unsigned int o = 0; o < owned.size() && !saved.facets.empty(); ++o)
+    for (unsigned int f = 0; f < secondary.n_own && !saved.facets.empty(); ++f)
       {
-        const unsigned int f    = owned[o];
-        const Facet<dim>  &here = secondary.facets[f].reference;
+        const Facet<dim> &here = secondary.facets[f].reference;
         if (const auto twin = locator.same(here, secondary.parts[f]))
           {
             const FacetHistory<dim> &h = saved.facets[*twin];
             if (saved.has_levels && follows_openings)
-              next.level[o] = h.level;
+              next.level[f] = h.level;
             if (saved.has_releases)
-              next.released[o] = h.is_released;
+              next.released[f] = h.is_released;
             if (saved.has_augmentation)
-              next.augmentation[o] = h.augmentation;
+              next.augmentation[f] = h.augmentation;
             if (saved.has_slip)
               {
-                next.elastic_slip[o] = h.elastic_slip;
-                next.sliding[o]      = h.sliding;
+                next.elastic_slip[f] = h.elastic_slip;
+                next.sliding[f]      = h.sliding;
               }
             continue;
           }
@@ -285,8 +294,8 @@ namespace MortarContact
         };
         if (saved.has_releases)
           if (const auto place = at(reference_centre<dim>(here.n_vertices)))
-            next.released[o] =
-              next.released[o] || saved.facets[place->facet].is_released;
+            next.released[f] =
+              next.released[f] || saved.facets[place->facet].is_released;
         const auto points = material_points<dim>(here.n_vertices);
         for (unsigned int q = 0; q < points.size(); ++q)
           {
@@ -304,12 +313,12 @@ namespace MortarContact
               return value;
             };
             if (saved.has_levels && follows_openings)
-              next.level[o][q] = there(h.level);
+              next.level[f][q] = there(h.level);
             if (saved.has_augmentation)
-              next.augmentation[o][q] = std::max(0., there(h.augmentation));
+              next.augmentation[f][q] = std::max(0., there(h.augmentation));
             if (saved.has_slip)
               {
-                next.sliding[o][q] = there(h.sliding);
+                next.sliding[f][q] = there(h.sliding);
                 const auto slip =
                   extrapolate_to_vertices<dim>(n, h.elastic_slip);
                 Tensor<1, dim>            vector;
@@ -319,14 +328,15 @@ namespace MortarContact
                     vector += N[a] * slip[a][c] * frame.basis[c];
                 const SecondaryFrame<dim> now(next.before[0][f]);
                 for (unsigned int c = 0; c < dim - 1; ++c)
-                  next.elastic_slip[o][q][c] = now.basis[c] * vector;
+                  next.elastic_slip[f][q][c] = now.basis[c] * vector;
               }
           }
       }
     next.aside                = pairs_like(saved.aside);
     const double reach_so_far = deepest_level;
     restore(next);
-    if (!history.aside.empty() || deepest_level > reach_so_far)
+    if (!history.aside.empty() || !history.released.empty() ||
+        deepest_level > reach_so_far)
       searched_s.clear(); // other candidates: search
   }
 
@@ -353,10 +363,10 @@ namespace MortarContact
             parts.push_back(pair.parts[role]);
           }
         const MaterialLocator<dim> locator(old, parts);
-        for (unsigned int f = 0; f < skin.facets.size(); ++f)
+        const unsigned int         n_facets =
+          (role == 0) ? skin.n_own : skin.facets.size();
+        for (unsigned int f = 0; f < n_facets; ++f)
           {
-            if (role == 0 && !secondary.is_owned[f])
-              continue;
             const Facet<dim> &here = skin.facets[f].reference;
             const auto        place =
               locator.find(centre(here), centre_normal(here), skin.parts[f]);
@@ -408,6 +418,8 @@ namespace MortarContact
   ContactSweep<2>::rollback();
   template void
   ContactSweep<2>::set_tied(const std::vector<char> &);
+  template void
+  ContactSweep<2>::remember_primary(const std::vector<Facet<2>> &);
   template std::vector<std::pair<unsigned int, unsigned int>>
   ContactSweep<2>::pairs_like(
     const std::vector<typename SurfaceHistory<2>::PairAside> &) const;
@@ -437,6 +449,8 @@ namespace MortarContact
   ContactSweep<3>::rollback();
   template void
   ContactSweep<3>::set_tied(const std::vector<char> &);
+  template void
+  ContactSweep<3>::remember_primary(const std::vector<Facet<3>> &);
   template std::vector<std::pair<unsigned int, unsigned int>>
   ContactSweep<3>::pairs_like(
     const std::vector<typename SurfaceHistory<3>::PairAside> &) const;

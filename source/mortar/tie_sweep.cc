@@ -15,7 +15,44 @@ namespace MortarContact
   {
     /// Tolerance of ties as a share of the facet's diameter.
     constexpr double default_tolerance = 0.05;
+
+    /// How far the other side may be to be tied [m].
+    template <int dim>
+    double
+    near_of(const Facet<dim> &facet, const double tolerance)
+    {
+      return (tolerance > 0.) ? tolerance : default_tolerance * diameter(facet);
+    }
+
+    /// Where facets lie that this one may be tied to.
+    template <int dim>
+    Box<dim>
+    region_of(const Facet<dim> &facet, const double near, const double offsets)
+    {
+      Box<dim> box = box_around(facet);
+      inflate(box, near + offsets);
+      return box;
+    }
   } // namespace
+
+
+  template <int dim>
+  std::vector<Box<dim>>
+  tie_regions(const Skin<dim> &secondary,
+              const Skin<dim> &primary,
+              const double     tolerance)
+  {
+    std::vector<Box<dim>> result;
+    for (unsigned int f = 0; f < secondary.n_own; ++f)
+      {
+        const Facet<dim> &facet = secondary.facets[f].current;
+        result.push_back(region_of(facet,
+                                   near_of(facet, tolerance),
+                                   secondary.sizes.largest_offset +
+                                     primary.sizes.largest_offset));
+      }
+    return result;
+  }
 
 
   template <int dim>
@@ -31,9 +68,6 @@ namespace MortarContact
     , symmetrise(kernel.options.symmetrise)
   {
     std::vector<Box<dim>> boxes;
-    double                primary_offset = 0.;
-    for (const auto &p : primary.facets)
-      primary_offset = std::max(primary_offset, std::abs(p.surface_offset));
     for (const auto &p : primary.facets)
       boxes.push_back(box_around(p.current));
     const BroadPhase<dim> broad_phase(boxes);
@@ -42,22 +76,20 @@ namespace MortarContact
                                  kernel.options.zero_cosine,
                                  kernel.options.ceiling);
 
-    for (unsigned int f = 0; f < secondary.facets.size(); ++f)
+    for (unsigned int f = 0; f < secondary.n_own; ++f)
       {
-        if (!secondary.is_owned[f])
-          continue;
-        owned.push_back(f);
         const ContactFacet<dim> &facet = secondary.facets[f];
         // now at time 0; undeformed, but rigid bodies in their place
         const SecondaryFrame<dim> frame(facet.current);
-        const double              near =
-          (tolerance > 0.) ? tolerance : default_tolerance * frame.diameter;
+        const double              near = near_of(facet.current, tolerance);
         at_start.area += area(facet.reference);
 
-        Box<dim> box = box_around(facet.current);
-        inflate(box, near + std::abs(facet.surface_offset) + primary_offset);
         double tied = 0.;
-        for (const unsigned int p : broad_phase.find(box))
+        for (const unsigned int p :
+             broad_phase.find(region_of(facet.current,
+                                        near,
+                                        secondary.sizes.largest_offset +
+                                          primary.sizes.largest_offset)))
           {
             if (!filter.face_each_other(f, p))
               continue;
@@ -135,16 +167,12 @@ namespace MortarContact
       }
     // facets that nothing holds any more are ordinary contact
     const std::vector<char> held = holds();
-    active.erase(
-      std::remove_if(active.begin(),
-                     active.end(),
-                     [&](const ActivePair &pair) {
-                       return !held[std::lower_bound(owned.begin(),
-                                                     owned.end(),
-                                                     pair.secondary) -
-                                    owned.begin()];
-                     }),
-      active.end());
+    active.erase(std::remove_if(active.begin(),
+                                active.end(),
+                                [&](const ActivePair &pair) {
+                                  return !held[pair.secondary];
+                                }),
+                 active.end());
   }
 
 
@@ -172,12 +200,11 @@ namespace MortarContact
   std::vector<char>
   TieSweep<dim>::holds() const
   {
-    std::vector<char> result(owned.size(), false);
+    std::vector<char> result(secondary.n_own, false);
     for (std::size_t i = 0; i < ties.size(); ++i)
       for (const TiePoint<dim> &tie : ties[i])
         if (tie.history.damage < 1.)
-          result[std::lower_bound(owned.begin(), owned.end(), pairs[i].first) -
-                 owned.begin()] = true;
+          result[pairs[i].first] = true;
     return result;
   }
 
@@ -243,6 +270,10 @@ namespace MortarContact
   }
 
 
+  template std::vector<Box<2>>
+  tie_regions(const Skin<2> &, const Skin<2> &, const double);
+  template std::vector<Box<3>>
+  tie_regions(const Skin<3> &, const Skin<3> &, const double);
   template class TieSweep<2>;
   template class TieSweep<3>;
 } // namespace MortarContact

@@ -7,6 +7,7 @@
 #include <deal.II/numerics/rtree.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace MortarContact
 {
@@ -29,6 +30,60 @@ namespace MortarContact
     for (unsigned int a = 1; a < facet.n_vertices; ++a)
       extend(box, facet.x[a]);
     return box;
+  }
+
+
+  template <int dim>
+  Box<dim>
+  box_around(const Facet<dim> &a, const Facet<dim> &b)
+  {
+    Box<dim> box = box_around(a);
+    for (unsigned int v = 0; v < b.n_vertices; ++v)
+      extend(box, b.x[v]);
+    return box;
+  }
+
+
+  template <int dim>
+  Box<dim>
+  everywhere()
+  {
+    // differences of corners must be numbers, too
+    constexpr double far = 0.1 * std::numeric_limits<double>::max();
+    Box<dim>         box;
+    inflate(box, far);
+    return box;
+  }
+
+
+  template <int dim>
+  std::vector<Box<dim>>
+  join(std::vector<Box<dim>> boxes, const unsigned int n)
+  {
+    if (boxes.size() <= n)
+      return boxes;
+    const Box<dim> all = box_around(boxes);
+    if (n == 1)
+      return {all};
+    // halves, by the centres along the longest axis
+    unsigned int axis = 0;
+    for (unsigned int i = 1; i < dim; ++i)
+      if (all.high[i] - all.low[i] > all.high[axis] - all.low[axis])
+        axis = i;
+    const auto middle = boxes.begin() + boxes.size() / 2;
+    std::nth_element(boxes.begin(),
+                     middle,
+                     boxes.end(),
+                     [&](const Box<dim> &a, const Box<dim> &b) {
+                       return a.low[axis] + a.high[axis] <
+                              b.low[axis] + b.high[axis];
+                     });
+    std::vector<Box<dim>> result =
+      join(std::vector<Box<dim>>(boxes.begin(), middle), n / 2);
+    for (const Box<dim> &box :
+         join(std::vector<Box<dim>>(middle, boxes.end()), n - n / 2))
+      result.push_back(box);
+    return result;
   }
 
 
@@ -129,6 +184,18 @@ namespace MortarContact
   box_around(const std::vector<Box<2>> &);
   template Box<3>
   box_around(const std::vector<Box<3>> &);
+  template Box<2>
+  box_around(const Facet<2> &, const Facet<2> &);
+  template Box<3>
+  box_around(const Facet<3> &, const Facet<3> &);
+  template Box<2>
+  everywhere();
+  template Box<3>
+  everywhere();
+  template std::vector<Box<2>>
+  join(std::vector<Box<2>>, const unsigned int);
+  template std::vector<Box<3>>
+  join(std::vector<Box<3>>, const unsigned int);
   template bool
   intersect(const Box<2> &, const Box<2> &);
   template bool

@@ -278,3 +278,211 @@ TEST(Distributed, Shells)
   compare(figures(distributed, fe, mapping, MPI_COMM_WORLD),
           figures(serial, fe, mapping, MPI_COMM_SELF));
 }
+
+
+namespace
+{
+  /// A block above a long strip, in one mesh; the strip has material 0.
+  void
+  block_on_strip(Triangulation<3> &mesh)
+  {
+    Triangulation<3> strip, block;
+    GridGenerator::subdivided_hyper_rectangle(strip,
+                                              {24, 2, 1},
+                                              Point<3>(),
+                                              Point<3>(12., 1.5, 1.));
+    GridGenerator::subdivided_hyper_rectangle(block,
+                                              {3, 2, 2},
+                                              Point<3>(0.2, 0.3, 1.02),
+                                              Point<3>(1.6, 1.3, 2.));
+    for (const auto &cell : block.active_cell_iterators())
+      cell->set_material_id(1);
+    GridGenerator::merge_triangulations(strip, block, mesh, 0.);
+    for (const auto &cell : mesh.active_cell_iterators())
+      for (const unsigned int f : cell->face_indices())
+        if (cell->face(f)->at_boundary())
+          cell->face(f)->set_boundary_id(cell->material_id() == 0 ? 10 : 20);
+  }
+
+  /// Motion of the block.
+  struct Place
+  {
+    double along, down;
+  };
+
+  /// The block where places say, one after the other: what the interface says
+  /// there. Also the share of all facets that ranks know in the mean.
+  std::vector<double>
+  slide(const Triangulation<3>   &mesh,
+        const ContactParameters  &parameters,
+        const std::vector<Place> &places,
+        const MPI_Comm            communicator,
+        double                   &known)
+  {
+    const FESystem<3>  fe(FE_Q<3>(1), 3);
+    const MappingFE<3> mapping(FE_Q<3>(1));
+    DoFHandler<3>      dof_handler(mesh);
+    dof_handler.distribute_dofs(fe);
+    const IndexSet     &owned = dof_handler.locally_owned_dofs();
+    ContactInterface<3> contact("i", parameters, communicator);
+    const auto          modulus = [](const auto &) { return 1000.; };
+    const bool          is_single =
+      parameters.kind == ContactParameters::Kind::automatic_single_surface;
+    contact.add_secondary(
+      dof_handler, mapping, boundary_ids({10}), modulus, "strip");
+    if (is_single)
+      contact.add_secondary(
+        dof_handler, mapping, boundary_ids({20}), modulus, "block");
+    else
+      contact.add_primary(
+        dof_handler, mapping, boundary_ids({20}), modulus, "block");
+    contact.setup();
+    const auto at = [&](const Place &place) {
+      Vector_t v(owned, communicator);
+      VectorTools::interpolate(mapping,
+                               dof_handler,
+                               FunctionFromFunctionObjects<3>(
+                                 {[&](const Point<3> &x) {
+                                    return x[2] > 1.01 ? place.along : 0.;
+                                  },
+                                  [&](const Point<3> &) { return 0.; },
+                                  [&](const Point<3> &x) {
+                                    return x[2] > 1.01 ?
+                                             -place.down :
+                                             1e-3 * std::sin(3. * x[0] + x[1]);
+                                  }}),
+                               v);
+      return v;
+    };
+    std::vector<double> result;
+    double              time = 0.;
+    Vector_t            last(owned, communicator);
+    for (const Place &place : places)
+      {
+        const Vector_t now = at(place);
+        Vector_t       du  = now;
+        du -= last;
+        result.push_back(contact.largest_safe_step(last, du));
+        contact.update(now, ++time);
+        AffineConstraints<double> constraints;
+        constraints.close();
+        const types::global_dof_index n = dof_handler.n_dofs();
+        DynamicSparsityPattern        dsp(n, n);
+        contact.add_couplings(dsp, constraints, 0.5);
+        SparsityTools::distribute_sparsity_pattern(dsp,
+                                                   owned,
+                                                   communicator,
+                                                   complete_index_set(n));
+        TrilinosWrappers::SparseMatrix matrix;
+        matrix.reinit(owned, owned, dsp, communicator);
+        Vector_t forces(owned, communicator), product(owned, communicator);
+        contact.assemble(matrix, forces, constraints);
+        matrix.compress(VectorOperation::add);
+        forces.compress(VectorOperation::add);
+        matrix.vmult(product, now);
+        result.push_back(forces * now);
+        result.push_back(product * now);
+        // numbers of cells are others on other meshes
+        double pressure = 0., shear = 0.;
+        for (const auto &state : facet_states(contact, communicator))
+          for (unsigned int a = 0; a < 4; ++a)
+            {
+              const double weight =
+                (1. + state.side) * (1. + state.current.x[a][0]);
+              pressure += weight * state.pressure[a];
+              shear += weight * state.shear[a];
+            }
+        result.push_back(pressure);
+        result.push_back(shear);
+        contact.commit(time);
+        const ContactReport &r = contact.report();
+        for (const auto &part : r.parts)
+          for (unsigned int c = 0; c < 3; ++c)
+            result.push_back(part.force[c]);
+        result.insert(result.end(),
+                      {double(r.active_pairs),
+                       double(r.n_released),
+                       r.energy,
+                       r.dissipation,
+                       r.active_area,
+                       r.largest_penetration});
+        last = now;
+      }
+    unsigned int mine = 0, all = 0;
+    for (const unsigned int side : {0u, 1u})
+      {
+        mine += contact.surface(side).skin.facets.size();
+        all += contact.report().initial.n_side_facets[side];
+      }
+    known = Utilities::MPI::sum(double(mine), communicator) /
+            (all * Utilities::MPI::n_mpi_processes(communicator));
+    return result;
+  }
+
+  /// On a distributed mesh as on a serial one, by each rank alone.
+  /// @return What slide() says of the facets known.
+  double
+  compare_slides(const ContactParameters  &parameters,
+                 const std::vector<Place> &places)
+  {
+    Triangulation<3> serial;
+    block_on_strip(serial);
+    parallel::distributed::Triangulation<3> distributed(MPI_COMM_WORLD);
+    distributed.copy_triangulation(serial);
+    double     known = 0.;
+    const auto expected =
+      slide(serial, parameters, places, MPI_COMM_SELF, known);
+    EXPECT_EQ(known, 1.);
+    const auto found =
+      slide(distributed, parameters, places, MPI_COMM_WORLD, known);
+    EXPECT_EQ(found.size(), expected.size());
+    double scale = 0.;
+    for (const double value : expected)
+      scale = std::max(scale, std::abs(value));
+    EXPECT_GT(scale, 0.);
+    for (unsigned int i = 0; i < expected.size(); ++i)
+      EXPECT_NEAR(found[i], expected[i], 1e-10 * scale) << i;
+    return known;
+  }
+} // namespace
+
+
+// No rank knows a whole surface: facets come when they come near, wherever
+// their rank is, and remember what friction needs.
+TEST(Distributed, FacetsOfOtherRanksComeWhenTheyComeNear)
+{
+  ContactParameters parameters;
+  parameters.friction.coefficient  = 0.2;
+  parameters.friction.elastic_slip = 1e-3;
+  std::vector<Place> places;
+  for (double along = 0.; along < 11.; along += 2.4)
+    places.push_back({along, 0.03});
+  const double known = compare_slides(parameters, places);
+  if (Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 3)
+    EXPECT_LT(known, 0.75);
+}
+
+
+TEST(Distributed, FacetsOfASingleSurfaceComeWhenTheyComeNear)
+{
+  ContactParameters parameters;
+  parameters.kind = ContactParameters::Kind::automatic_single_surface;
+  compare_slides(parameters, {{0., 0.03}, {1., 0.03}, {6., 0.03}, {10., 0.03}});
+}
+
+
+// Released in the middle of the strip, the block leaves below it, comes back
+// from above at another place, and has contact again.
+TEST(Distributed, ReleasedFacetsOpenWhereverTheOtherSideIs)
+{
+  ContactParameters parameters;
+  parameters.release = ContactParameters::Release::report;
+  compare_slides(parameters,
+                 {{5., 0.03},
+                  {5., 0.9},
+                  {9., 0.9},
+                  {10., 0.9},
+                  {10., -1.},
+                  {2., -1.},
+                  {2., 0.03}});
+}

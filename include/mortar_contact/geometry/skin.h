@@ -22,6 +22,15 @@ namespace MortarContact
     double surface_offset = 0.;
   };
 
+  /// Of all facets of a surface, those of other ranks too.
+  struct SkinSizes
+  {
+    double mean_diameter      = 0.; ///< Of the facets, undeformed [m].
+    double largest_length     = 0.; ///< Largest l at a vertex [m].
+    double largest_compliance = 0.; ///< Largest l/K at a vertex [m/Pa].
+    double largest_offset     = 0.; ///< Largest size of surface_offset [m].
+  };
+
   /**
    * What a body shows to contact: one-sided facets with their vertices. Plain
    * data; where the facets come from is the host's business.
@@ -29,8 +38,13 @@ namespace MortarContact
   template <int dim>
   struct Skin
   {
-    /// All of the surface, in the order of its numbers.
+    /// Those of this rank, over which it integrates where the skin is
+    /// secondary; then those of other ranks that have come near. More may come
+    /// at the end, none goes.
     std::vector<ContactFacet<dim>> facets;
+
+    /// How many of them are of this rank.
+    unsigned int n_own = 0;
 
     /// Numbers of the facets' vertices; vertices that two facets share have
     /// the same number, also across skins of one interface.
@@ -39,8 +53,7 @@ namespace MortarContact
     /// Numbers of the parts that the facets belong to.
     std::vector<unsigned int> parts;
 
-    /// Whether this rank integrates over the facet where the skin is secondary.
-    std::vector<char> is_owned;
+    SkinSizes sizes; ///< Of the whole surface.
   };
 
   /// Where the facets of a skin are.

@@ -10,15 +10,18 @@
 #include <mortar_contact/report/contact_report.h>
 
 #include <deal.II/base/index_set.h>
-#include <deal.II/base/mpi_noncontiguous_partitioner.h>
 
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
 
+#include <array>
 #include <iosfwd>
+#include <map>
 #include <memory>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace MortarContact
@@ -130,8 +133,8 @@ namespace MortarContact
     void
     setup();
 
-    /// All dofs that this interface may write to: constraints must know of
-    /// them.
+    /// All dofs that this interface may write to, of the surfaces on all ranks:
+    /// constraints must know of them.
     IndexSet
     relevant_dofs(const types::global_dof_index n_dofs) const;
 
@@ -424,13 +427,20 @@ namespace MortarContact
     /// Largest safe share of a motion between two sets of values of dofs, each
     /// with a time for the rigid bodies. Leaves everything at the first.
     double
-    safe_step_between(const std::vector<double> &from,
-                      const double               from_time,
-                      const std::vector<double> &to,
-                      const double               to_time);
+    safe_step_between(std::vector<double> &from,
+                      const double         from_time,
+                      std::vector<double> &to,
+                      const double         to_time);
 
     void
     number_parts();
+
+    /// Number of the part that a facet belongs to.
+    unsigned int
+    part_of_facet(const unsigned int side, const unsigned int facet) const
+    {
+      return number_of_part[side][surfaces[side].skin.parts[facet]];
+    }
 
     /// The rigid body with dofs behind a facet, if there is one.
     const RigidBody<dim> *
@@ -457,18 +467,43 @@ namespace MortarContact
     double
     value(const types::global_dof_index dof) const;
 
-    /// Get the values of all dofs of the surfaces from their owners.
+    /// All dofs of the facets that this rank knows, and of rigid bodies.
+    std::vector<types::global_dof_index>
+    known_dofs() const;
+
+    /// Get the values of these dofs from their owners.
     template <class VectorType>
     void
     fetch(const VectorType &u);
 
-    /// Know which of these dofs are among @p owned, and who has the others.
+    /// Know who has which of these dofs, and who wants which of @p owned.
     void
     prepare_fetch(const IndexSet &owned);
 
-    /// Send the values of own_dofs to all ranks, and receive theirs.
+    /// Send the values of own_dofs to those who asked, and receive theirs.
     void
     exchange(const std::vector<double> &own_values);
+
+    /// Boxes around the facets of this rank.
+    std::vector<Box<dim>>
+    own_boxes(const unsigned int side) const;
+
+    /**
+     * Get to know all primary facets of other ranks that lie in @p regions, by
+     * sweep (ties: as sweep 0). Each rank tells the others at most a few boxes;
+     * facets go from their rank to those that look there, once.
+     * @param boxes       Of this rank's facets, by side.
+     * @param more_states Values by dof that must go with the facets, besides
+     *                    those that are members.
+     */
+    void
+    bring_near(const std::vector<std::vector<Box<dim>>>   &regions,
+               const std::array<std::vector<Box<dim>>, 2> &boxes,
+               const std::vector<std::vector<double> *>   &more_states = {});
+
+    /// The same for all that a search, and couplings, may find.
+    void
+    bring_candidates_near();
 
     void
     load_at_fetched(std::istream &in);
@@ -530,7 +565,7 @@ namespace MortarContact
     bool   is_augmented       = true; ///< Penetrations are below the tolerance.
     double largest_tool_step  = 1.;   ///< See check_motion_of_tools().
     std::vector<std::string>  part_names;
-    std::vector<unsigned int> part_of_facet[2];
+    std::vector<unsigned int> number_of_part[2]; ///< By part of the surface.
     unsigned int              part_of_obstacle = 0;
     bool         is_set_up        = false; ///< The next add_..() starts anew.
     double       last_time        = 0.;    ///< Of the last update() [s]
@@ -538,14 +573,27 @@ namespace MortarContact
     double       dissipation      = 0.;    ///< By friction until then [J]
     unsigned int n_rigid_vertices = 0;
 
-    std::vector<types::global_dof_index> dofs;   ///< Of both surfaces, sorted.
-    std::vector<double>                  values; ///< Of these dofs,
-    std::vector<double>                  committed_values; ///< last accepted,
+    std::vector<types::global_dof_index> dofs; ///< See known_dofs().
+    types::global_dof_index end_of_dofs = 0;   ///< Behind those of all ranks.
+    std::vector<double>     values;            ///< Of these dofs,
+    std::vector<double>     committed_values;  ///< last accepted,
     /// and at the last commit(), whatever has been fetched for that time since.
-    std::vector<double>                                       accepted_values;
-    IndexSet                                                  fetched_owned;
-    std::vector<types::global_dof_index>                      own_dofs;
-    std::unique_ptr<Utilities::MPI::NoncontiguousPartitioner> partitioner;
+    std::vector<double> accepted_values;
+    bool                has_committed_values = false; ///< Or only zeros.
+    bool                has_accepted_values  = false; ///< Or only zeros.
+
+    /// Facets of this rank that others know, by side and rank.
+    std::map<unsigned int, std::set<unsigned int>> told[2];
+    double coupled_motion = 0.; ///< Largest ever asked of add_couplings().
+
+    // What fetch() does: as last prepared,
+    IndexSet                             fetched_owned;
+    std::vector<types::global_dof_index> fetched;
+    /// what ranks want of this one, and all of it in a row;
+    std::map<unsigned int, std::vector<types::global_dof_index>> asked_of_me;
+    std::vector<types::global_dof_index>                         own_dofs;
+    /// where what ranks send goes to.
+    std::map<unsigned int, std::vector<std::size_t>> places;
   };
 } // namespace MortarContact
 

@@ -17,11 +17,11 @@ namespace MortarContact
     AssertThrow(is_set_up,
                 ExcMessage("Interface '" + name +
                            "': call setup() after the surfaces are added."));
-    AssertThrow(dofs.empty() || dofs.back() < u.size(),
+    AssertThrow(end_of_dofs <= u.size(),
                 ExcMessage("Interface '" + name + "': the vector has " +
                            std::to_string(u.size()) +
                            " entries, the surfaces have dof " +
-                           std::to_string(dofs.back()) +
+                           std::to_string(end_of_dofs - 1) +
                            "; after dofs are numbered anew, add the surfaces "
                            "again."));
     prepare_fetch(u.locally_owned_elements());
@@ -45,7 +45,10 @@ namespace MortarContact
     if (is_finite)
       {
         if (time == committed_time)
-          committed_values = values;
+          {
+            committed_values     = values;
+            has_committed_values = true;
+          }
         else if (time != last_time)
           check_motion_of_tools(time);
         place_rigid_bodies(time);
@@ -66,6 +69,14 @@ namespace MortarContact
     const AffineConstraints<double> &constraints,
     const double                     motion)
   {
+    if (motion > coupled_motion)
+      {
+        // pairs from farther away: they must be known
+        coupled_motion = motion;
+        bring_candidates_near();
+        for (auto &sweep : sweeps)
+          sweep->search();
+      }
     coupled.resize(sweeps.size());
     for (unsigned int i = 0; i < sweeps.size(); ++i)
       {
@@ -135,7 +146,7 @@ namespace MortarContact
                                            const VectorType &du)
   {
     fetch(u);
-    const std::vector<double> from = values;
+    std::vector<double> from = values;
     fetch(du);
     std::vector<double> to = from;
     for (std::size_t i = 0; i < values.size(); ++i)
@@ -152,7 +163,7 @@ namespace MortarContact
                                            const double      time)
   {
     fetch(u);
-    const std::vector<double> from = values;
+    std::vector<double> from = values;
     fetch(du);
     std::vector<double> to = from;
     for (std::size_t i = 0; i < values.size(); ++i)

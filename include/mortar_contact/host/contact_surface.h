@@ -8,9 +8,15 @@
 
 #include <deal.II/base/types.h>
 
+#include <boost/serialization/array.hpp>
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
+
 #include <array>
 #include <functional>
+#include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace MortarContact
@@ -66,7 +72,7 @@ namespace MortarContact
     }
   };
 
-  /// A facet of a surface as it is extracted, and exchanged between ranks.
+  /// A facet of a surface as it is extracted.
   template <int dim>
   struct SurfaceFacet
   {
@@ -79,15 +85,38 @@ namespace MortarContact
     double       modulus  = 0.; ///< K of the cell's material [Pa]; 0: rigid
     double       length   = 0.; ///< Height of the cell over the face [m]
     double       shortest_edge = 0.; ///< Of the part [m]
-    unsigned int owner         = 0;  ///< Rank
 
-    /// For checkpoints and between ranks.
+    /// Between ranks.
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
       archive &n_vertices &vertices &label &face &subfacet &modulus &length
-        &shortest_edge &owner;
+        &shortest_edge;
+    }
+  };
+
+  /// A facet of a built surface as another rank gets to know it.
+  template <int dim>
+  struct NearFacet
+  {
+    SurfaceFacet<dim> facet;      ///< With modulus and length as used.
+    Facet<dim>        current;    ///< See ContactFacet.
+    VertexValues<dim> compliance; ///< See ContactFacet.
+    VertexValues<dim> length;     ///< See ContactFacet.
+    unsigned int      number;     ///< On the rank it belongs to.
+    /// Of the dofs of the rows, in their order; several states one after the
+    /// other.
+    std::vector<double> values;
+    /// The facet at the end of the last accepted step; empty: no friction.
+    std::vector<Facet<dim>> before;
+
+    /// Between ranks.
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &facet &current &compliance &length &number &values &before;
     }
   };
 
@@ -101,19 +130,33 @@ namespace MortarContact
   };
 
   /**
-   * A contact surface: facets of all ranks (a later issue will keep near ones
-   * only), their vertex map, and the skin in the present configuration.
+   * A contact surface as one rank knows it: its own facets and those of other
+   * ranks that have come near, their vertex map, and the skin in the present
+   * configuration.
    */
   template <int dim>
   class ContactSurface
   {
   public:
-    /// Collect the facets of all ranks. Moduli and lengths are averaged at the
-    /// vertices, weighted by area, so that the contact stiffness is continuous.
+    /// Take the facets of this rank; collective. Moduli and lengths are
+    /// averaged at the vertices over the facets of all ranks, weighted by area,
+    /// so that the contact stiffness is continuous.
     void
-    build(std::vector<SurfaceFacet<dim>> local_facets,
+    build(std::vector<SurfaceFacet<dim>> facets,
           const SurfaceStiffness        &stiffness,
           const MPI_Comm                 communicator);
+
+    /// Facet @p f of this rank for another; without values and `before`.
+    NearFacet<dim>
+    describe(const unsigned int f) const;
+
+    /// Add a facet of another rank.
+    void
+    add(const NearFacet<dim> &near, const unsigned int rank);
+
+    /// Rank that a facet belongs to, and its number there.
+    std::pair<unsigned int, unsigned int>
+    origin(const unsigned int f) const;
 
     /// Move the skin; @p displacement gives the value of a dof.
     void
@@ -124,7 +167,7 @@ namespace MortarContact
     moved(
       const std::function<double(types::global_dof_index)> &displacement) const;
 
-    /// All dofs of all rows, sorted, without repetition.
+    /// Dofs of all rows that this rank knows, sorted, without repetition.
     std::vector<types::global_dof_index>
     dofs() const;
 
@@ -135,15 +178,25 @@ namespace MortarContact
       return vertices[facet_vertices[facet][a]];
     }
 
-    Skin<dim>               skin;         ///< In the present configuration.
-    std::vector<FacetLabel> labels;       ///< By facet.
-    std::vector<double>     cell_modulus; ///< By facet [Pa]; zero where rigid.
-    std::vector<double>     cell_length;  ///< By facet [m]; zero where rigid.
+    Skin<dim>               skin;   ///< In the present configuration.
+    std::vector<FacetLabel> labels; ///< By facet.
+    /// Face of the cell and part of the face, by facet.
+    std::vector<std::pair<unsigned int, unsigned int>> faces;
+    /// Parts of all ranks, in the order of their numbers in the skin.
+    std::vector<std::string> parts;
+    std::vector<double>      cell_modulus; ///< By facet [Pa]; zero where rigid.
+    std::vector<double>      cell_length;  ///< By facet [m]; zero where rigid.
 
     /// Whose facets have no dofs.
     std::vector<std::shared_ptr<RigidBody<dim>>> rigid_bodies;
 
   private:
+    /// Append a facet: its vertices, and what is known by facet.
+    void
+    append(const SurfaceFacet<dim> &facet,
+           const double             modulus,
+           const double             length);
+
     Tensor<1, dim>
     position(
       const SurfaceVertex<dim>                             &v,
@@ -151,7 +204,19 @@ namespace MortarContact
 
     std::vector<SurfaceVertex<dim>>                          vertices;
     std::vector<std::array<unsigned int, max_vertices<dim>>> facet_vertices;
+    std::map<types::global_dof_index, unsigned int> numbers;     ///< By key.
+    double                                          offset = 0.; ///< [m]
+    unsigned int                                    rank   = 0;
+    /// See origin(), from the first facet of another rank on.
+    std::vector<std::pair<unsigned int, unsigned int>> origins;
   };
+
+  /// Add up over all ranks what each has at its vertices, by their key: all get
+  /// the sums at their own vertices. The arrays must be of one size.
+  void
+  sum_at_vertices(
+    std::map<types::global_dof_index, std::vector<double>> &at_vertices,
+    const MPI_Comm                                          communicator);
 } // namespace MortarContact
 
 #endif

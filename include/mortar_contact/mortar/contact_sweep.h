@@ -4,6 +4,7 @@
 
 #include <mortar_contact/geometry/skin.h>
 #include <mortar_contact/mortar/pair_kernel.h>
+#include <mortar_contact/search/broad_phase.h>
 #include <mortar_contact/state/contact_history.h>
 #include <mortar_contact/state/surface_history.h>
 
@@ -45,8 +46,9 @@ namespace MortarContact
   };
 
   /**
-   * One pass over an interface: points on the owned facets of the secondary
-   * skin, projected onto the primary skin. Holds the candidate pairs, the
+   * One pass over an interface: points on this rank's facets of the secondary
+   * skin, projected onto the primary skin. Of other ranks' facets it must know
+   * those that lie in regions(). Holds the candidate pairs, the
    * results of the last evaluation, and the history.
    */
   template <int dim>
@@ -95,6 +97,25 @@ namespace MortarContact
     /// Find all candidate pairs in the present configuration.
     void
     search();
+
+    /// Where, around each facet of this rank, primary facets may be candidates
+    /// of a search() in the present configuration, or candidates_after().
+    std::vector<Box<dim>>
+    regions(const double diameters) const;
+
+    /// Where detect_initial() looks.
+    std::vector<Box<dim>>
+    initial_regions(const InitialTreatment &treatment) const;
+
+    /// Where safe_step() looks for motions of the secondary facets to
+    /// @p moved.
+    std::vector<Box<dim>>
+    swept_regions(const std::vector<Facet<dim>> &moved) const;
+
+    /// Facets of other ranks have come to the primary skin; where they were at
+    /// the end of the last accepted step (friction only).
+    void
+    remember_primary(const std::vector<Facet<dim>> &before);
 
     /// [secondary, primary], ascending; an obstacle counts as primary 0.
     const std::vector<std::pair<unsigned int, unsigned int>> &
@@ -176,15 +197,9 @@ namespace MortarContact
     penetration() const;
 
     /// Hold facets by ties, or let go of them: held facets have no contact.
+    /// By facet of this rank.
     void
-    set_tied(const std::vector<char> &by_owned_facet);
-
-    /// The secondary facets of this rank.
-    const std::vector<unsigned int> &
-    owned_facets() const
-    {
-      return owned;
-    }
+    set_tied(const std::vector<char> &is_held);
 
     /**
      * Largest factor in (0, 1] for a motion of all facets by which no facet
@@ -247,10 +262,10 @@ namespace MortarContact
     void
     restore(const ContactHistory<dim> &saved);
 
-    /// State of an owned facet; @p slip is filled where there is friction, and
-    /// must outlive the result.
+    /// State of a facet of this rank; @p slip is filled where there is
+    /// friction, and must outlive the result.
     SecondaryState<dim>
-    state_of(const unsigned int owned, FacetSlip<dim> &slip) const;
+    state_of(const unsigned int f, FacetSlip<dim> &slip) const;
 
     /// Candidates that are set aside are none.
     void
@@ -261,11 +276,11 @@ namespace MortarContact
     commit_pairs_aside();
 
     bool
-    is_released(const unsigned int owned) const;
+    is_released(const unsigned int f) const;
 
     /// Released or tied.
     bool
-    has_no_contact(const unsigned int owned) const;
+    has_no_contact(const unsigned int f) const;
 
     const Facet<dim> *
     primary_before(const unsigned int p) const;
@@ -283,7 +298,7 @@ namespace MortarContact
         const unsigned int         p,
         const double               range) const;
 
-    /// Prepare the slip of all owned facets for the next step.
+    /// Prepare the slip of all facets of this rank for the next step.
     void
     store_before();
 
@@ -298,16 +313,14 @@ namespace MortarContact
     double
     far_of(const SecondaryFrame<dim> &frame) const;
 
-    /// Effective depth at the material points of the owned facet @p o; lowest
-    /// number: out of sight.
+    /// Effective depth at the material points of facet @p f; lowest number: out
+    /// of sight.
     std::vector<double>
-    depths_at_points(const unsigned int o, unsigned int &next) const;
+    depths_at_points(const unsigned int f, unsigned int &next) const;
 
     /// False if a facet is surely out of the obstacle's reach.
     bool
     may_meet_obstacle(const unsigned int f) const;
-
-
 
     void
     count(const PairBlock<dim> &block);
@@ -365,9 +378,33 @@ namespace MortarContact
     std::vector<std::pair<unsigned int, unsigned int>>
     find_pairs(const double motion) const;
 
-    /// Candidates of the owned facets from pair @p next on; moves @p next.
+    /// Motion that candidates after @p diameters allow for [m].
+    double
+    motion_of(const double diameters) const;
+
+    /// Where candidates of a facet lie after motions of @p motion [m].
+    Box<dim>
+    region_of(const unsigned int f,
+              const Facet<dim>  &facet,
+              const double       motion) const;
+
+    /// Depths up to which initial penetrations of a facet are treated, and
+    /// looked for [m].
+    std::array<double, 2>
+    initial_ranges(const unsigned int         f,
+                   const SecondaryFrame<dim> &frame,
+                   const InitialTreatment    &treatment) const;
+
+    Box<dim>
+    initial_region(const unsigned int      f,
+                   const InitialTreatment &treatment) const;
+
+    Box<dim>
+    swept_region(const unsigned int f, const Facet<dim> &moved) const;
+
+    /// Candidates of facet @p f from pair @p next on; moves @p next.
     std::vector<unsigned int>
-    candidates_of(const unsigned int owned, unsigned int &next) const;
+    candidates_of(const unsigned int f, unsigned int &next) const;
 
     const Skin<dim>     &secondary;
     const Skin<dim>     &primary;
@@ -376,19 +413,16 @@ namespace MortarContact
     PairKernel<dim>      kernel;
     double               weight;
     double               margin; ///< Motion that candidates allow for [m].
-    double               largest_length_p     = 0.; ///< Of the primary [m].
-    double               largest_compliance_p = 0.; ///< [m/Pa]
-    double               surface_offset       = 0.; ///< Of both sides [m].
-    double               deepest_level        = 0.; ///< Of the history [m].
+    double               surface_offset;     ///< Of both sides [m].
+    double               deepest_level = 0.; ///< Of the history [m].
 
     double                      last_reach = 0.; ///< Largest, last search [m]
     double                      last_share = 0.; ///< Of the last evaluation.
     double                      last_time_step = 0.;
-    std::vector<FacetSlip<dim>> slips; ///< By owned facet; friction only.
+    std::vector<FacetSlip<dim>> slips; ///< Friction only.
 
     ContactHistory<dim>                                history;
     std::vector<VertexValues<dim>>                     augmentation; ///< Trial.
-    std::vector<unsigned int>                          owned;
     std::vector<std::pair<unsigned int, unsigned int>> pairs;
     std::vector<Facet<dim>>                            searched_s, searched_p;
     std::vector<ActivePair>                            active;

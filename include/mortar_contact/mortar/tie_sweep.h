@@ -12,7 +12,7 @@ namespace MortarContact
   /// What was tied on one rank, and what has become of it.
   struct TieCounts
   {
-    double area        = 0.; ///< Of the owned secondary facets [m^2]
+    double area        = 0.; ///< Of this rank's secondary facets [m^2]
     double tied_area   = 0.; ///< Tied at the start
     double whole_area  = 0.; ///< and not damaged now
     double failed_area = 0.; ///< or failed.
@@ -23,6 +23,14 @@ namespace MortarContact
     double       dissipated    = 0.; ///< By damage, since the start [J]
     unsigned int n_free_facets = 0;  ///< Facets of which nothing was tied.
   };
+
+  /// Where, around each secondary facet of this rank, TieSweep looks for
+  /// primary facets.
+  template <int dim>
+  std::vector<Box<dim>>
+  tie_regions(const Skin<dim> &secondary,
+              const Skin<dim> &primary,
+              const double     tolerance);
 
   /**
    * The ties between two skins: found once, in the undeformed configuration, by
@@ -71,7 +79,7 @@ namespace MortarContact
     void
     commit();
 
-    /// By owned facet: whether a tie still holds it.
+    /// By secondary facet of this rank: whether a tie still holds it.
     std::vector<char>
     holds() const;
 
@@ -109,7 +117,6 @@ namespace MortarContact
     double            dissipated = 0.;
     double            opening    = 0.;
 
-    std::vector<unsigned int>                          owned;
     std::vector<std::pair<unsigned int, unsigned int>> pairs;
     std::vector<std::vector<TiePoint<dim>>>            ties;  ///< By pair.
     std::vector<std::vector<TieHistory>>               trial; ///< By pair.

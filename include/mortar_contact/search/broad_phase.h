@@ -16,12 +16,30 @@ namespace MortarContact
   {
     Tensor<1, dim> low;  ///< Lowest corner [m].
     Tensor<1, dim> high; ///< Highest corner [m].
+
+    /// Between ranks.
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &low &high;
+    }
   };
+
+  /// A box that meets all others.
+  template <int dim>
+  Box<dim>
+  everywhere();
 
   /// Smallest box around a facet.
   template <int dim>
   Box<dim>
   box_around(const Facet<dim> &facet);
+
+  /// Smallest box around two facets, or one at two times.
+  template <int dim>
+  Box<dim>
+  box_around(const Facet<dim> &a, const Facet<dim> &b);
 
   /// Enlarge @p box to hold @p x.
   template <int dim>
@@ -37,6 +55,12 @@ namespace MortarContact
   template <int dim>
   Box<dim>
   box_around(const std::vector<Box<dim>> &boxes);
+
+  /// At most @p n boxes that together hold all @p boxes: those that lie near
+  /// each other are put into one.
+  template <int dim>
+  std::vector<Box<dim>>
+  join(std::vector<Box<dim>> boxes, const unsigned int n);
 
   /// Whether the boxes have a point in common.
   template <int dim>

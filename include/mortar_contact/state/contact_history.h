@@ -30,16 +30,16 @@ namespace MortarContact
     const std::array<PlanePoint<dim>, max_vertices<dim>> &at_points);
 
   /**
-   * State of the secondary facets of one sweep that a rank owns. What carries
-   * force lives on material points, never on pairs, so nothing breaks when a
-   * point meets another facet. Changes in commit() only. Allocated where a
-   * scene needs it: an interface without initial penetrations, releases and
+   * State of the secondary facets of one sweep, those of this rank. What
+   * carries force lives on material points, never on pairs, so nothing breaks
+   * when a point meets another facet. Changes in commit() only. Allocated where
+   * a scene needs it: an interface without initial penetrations, releases and
    * friction stores nothing.
    */
   template <int dim>
   struct ContactHistory
   {
-    /// Level of the initial penetration at the material points, by owned facet;
+    /// Level of the initial penetration at the material points, by facet;
     /// see offset() in laws/initial_penetration.h [m]. Empty: none.
     std::vector<VertexValues<dim>> level;
 
@@ -52,7 +52,7 @@ namespace MortarContact
     std::vector<std::pair<unsigned int, unsigned int>> aside;
 
     /// Elastic slip at the material points, components in the basis of the
-    /// secondary frame, by owned facet [m]. Empty: no friction.
+    /// secondary frame, by facet [m]. Empty: no friction.
     std::vector<std::array<PlanePoint<dim>, max_vertices<dim>>> elastic_slip;
 
     /// Path length of sliding at the material points [m]. Empty: no friction.
