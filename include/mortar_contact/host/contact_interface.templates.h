@@ -6,6 +6,9 @@
 // matrices. Included by contact_interface.h.
 
 #include <mortar_contact/host/contact_interface.h>
+#include <mortar_contact/host/local_rows.h>
+
+#include <type_traits>
 
 namespace MortarContact
 {
@@ -114,11 +117,23 @@ namespace MortarContact
     std::vector<types::global_dof_index> pair_dofs;
     Vector<double>                       forces;
     FullMatrix<double>                   tangent;
-    for_each_pair([&](const unsigned int i, const auto &pair) {
-      distribute_pair(i, pair, true, pair_dofs, forces, tangent);
-      constraints.distribute_local_to_global(
-        tangent, forces, pair_dofs, matrix, rhs);
-    });
+    const auto                           add_pairs = [&](const auto &add) {
+      for_each_pair([&](const unsigned int i, const auto &pair) {
+        distribute_pair(i, pair, true, pair_dofs, forces, tangent);
+        if (add())
+          rhs.add(pair_dofs, forces);
+        else
+          constraints.distribute_local_to_global(
+            tangent, forces, pair_dofs, matrix, rhs);
+      });
+    };
+    if constexpr (std::is_same_v<MatrixType, TrilinosWrappers::SparseMatrix>)
+      {
+        LocalRows rows(matrix, dofs, constraints);
+        add_pairs([&]() { return rows.add(tangent, pair_dofs); });
+      }
+    else
+      add_pairs([]() { return false; });
   }
 
 
