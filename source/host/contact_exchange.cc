@@ -254,6 +254,9 @@ namespace MortarContact
   void
   ContactInterface<dim>::bring_candidates_near()
   {
+    // one rank searches often, and has nothing to ask for
+    if (Utilities::MPI::n_mpi_processes(communicator) == 1)
+      return;
     std::vector<std::vector<Box<dim>>> regions;
     for (const auto &sweep : sweeps)
       regions.push_back(sweep->regions(coupled_motion));
