@@ -8,6 +8,7 @@
 
 #include <mortar_contact/host/contact_interface.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/types.h>
 
 #include <deal.II/lac/affine_constraints.h>
@@ -16,10 +17,10 @@
 
 #include <array>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Structure
@@ -65,6 +66,13 @@ namespace Structure
     Tensor<1, dim>                           normal; ///< Out of the face.
     bool                                     has_director = false;
     std::array<types::global_dof_index, dim> director_dofs;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &dofs &x &normal &has_director &director_dofs;
+    }
   };
 
   /**
@@ -76,13 +84,15 @@ namespace Structure
   class Body
   {
   public:
-    explicit Body(const std::string &name)
+    Body(const std::string &name, const MPI_Comm communicator)
       : name(name)
+      , communicator(communicator)
     {}
 
     virtual ~Body() = default;
 
     const std::string           name;
+    const MPI_Comm              communicator;
     MortarContact::DoFNumbering numbering; ///< Set by the model.
 
     /// Dead load per undeformed volume, expressions of x, y, z, t; empty: none.
@@ -128,18 +138,20 @@ namespace Structure
       return false;
     }
 
-    virtual std::vector<types::boundary_id>
+    /// Of the whole mesh.
+    virtual const std::set<types::boundary_id> &
     boundary_ids() const = 0;
 
-    virtual std::set<types::material_id>
+    /// Of the whole mesh.
+    virtual const std::set<types::material_id> &
     material_ids() const = 0;
 
     virtual types::material_id
     material_of(const unsigned int cell) const = 0;
 
-    /// Undeformed vertices.
-    virtual const std::vector<Point<dim>> &
-    vertices() const = 0;
+    /// Lower and upper corner of the box around the undeformed body.
+    virtual const std::pair<Point<dim>, Point<dim>> &
+    box() const = 0;
 
     /// Hanging nodes and ties within the body, in its own numbering.
     virtual void
@@ -206,7 +218,7 @@ namespace Structure
     {}
 
     /// All dofs, in the model's numbering, in an order that the mesh alone
-    /// gives.
+    /// gives. Collective.
     virtual std::vector<types::global_dof_index>
     dofs_in_order() const = 0;
 
@@ -222,12 +234,17 @@ namespace Structure
     restore(const std::vector<double> &)
     {}
 
-    /// Whether refine() and what belongs to it may be called.
+    /// Whether there is an error estimate for such a body.
     virtual bool
     can_be_refined() const
     {
       return false;
     }
+
+    /// Whether each rank knows all cells; if not, nothing that follows may be
+    /// called.
+    virtual bool
+    is_whole() const = 0;
 
     /// How often the mesh was halved to give an active cell, of any rank.
     virtual unsigned int
@@ -282,20 +299,18 @@ namespace Structure
     virtual DoFPlace<dim>
     place_of(const unsigned int cell, const unsigned int dof) const = 0;
 
-    /// Call @p visit for the nodes of all faces with one of the ids (of all
-    /// cells this rank knows); nodes of several faces come several times.
-    virtual void
-    visit_boundary_nodes(
-      const std::set<types::boundary_id>                   &ids,
-      const std::function<void(const BoundaryNode<dim> &)> &visit) const = 0;
+    /// The nodes of all faces with one of the ids; nodes of several faces come
+    /// several times. The same on all ranks. Collective.
+    std::vector<BoundaryNode<dim>>
+    boundary_nodes(const std::set<types::boundary_id> &ids) const;
 
-    /// Call @p visit for all nodes, without a normal; those of several cells
-    /// come several times.
-    virtual void
-    visit_nodes(
-      const std::function<void(const BoundaryNode<dim> &)> &visit) const = 0;
+    /// The nodes at undeformed places where a formula is not 0, without a
+    /// normal. The same on all ranks. Collective.
+    std::vector<BoundaryNode<dim>>
+    nodes_where(Expression<dim> &formula) const;
 
-    /// The node nearest to a point; without a normal.
+    /// The node nearest to a point, without a normal; of several the one with
+    /// the smallest coordinates. Collective.
     BoundaryNode<dim>
     nearest_node(const Point<dim> &x) const;
 
@@ -306,7 +321,7 @@ namespace Structure
            const MortarContact::FaceSelection   &faces) const = 0;
 
     /// Shells: the triangles of the mid-surface, the same on all ranks; their
-    /// parts are material ids.
+    /// parts are material ids. Collective.
     virtual std::vector<MidTriangle>
     mid_surface() const
     {
@@ -315,6 +330,7 @@ namespace Structure
 
     /// Shells: triangles of the outer surface moved out by @p offset, with
     /// edges, seen counter-clockwise from outside; the same on all ranks.
+    /// Collective.
     /// @param u Displacements of all dofs of the model.
     virtual std::vector<std::array<Point<dim>, 3>>
     outer_surface(const Vector<double> & /*u*/, const double /*offset*/) const
@@ -331,25 +347,21 @@ namespace Structure
     write(const ValuesOfCell &values_of_cell,
           const std::string  &file,
           const MPI_Comm      communicator) = 0;
+
+  protected:
+    using Visitor = std::function<void(const BoundaryNode<dim> &)>;
+
+    /// Call @p visit for the nodes of the faces with one of the ids, of this
+    /// rank's cells.
+    virtual void
+    visit_boundary_nodes(const std::set<types::boundary_id> &ids,
+                         const Visitor                      &visit) const = 0;
+
+    /// Call @p visit for the nodes of this rank's cells, without a normal;
+    /// those of several cells come several times.
+    virtual void
+    visit_nodes(const Visitor &visit) const = 0;
   };
-
-
-  template <int dim>
-  BoundaryNode<dim>
-  Body<dim>::nearest_node(const Point<dim> &x) const
-  {
-    BoundaryNode<dim> nearest;
-    double            best = std::numeric_limits<double>::max();
-    visit_nodes([&](const BoundaryNode<dim> &node) {
-      const double distance = x.distance(node.x);
-      if (distance < best)
-        {
-          best    = distance;
-          nearest = node;
-        }
-    });
-    return nearest;
-  }
 } // namespace Structure
 
 #endif

@@ -30,8 +30,7 @@ namespace Structure
   bool
   HexCells::fit(const SolidBody<3> &body)
   {
-    return body.elements[0].degree == 1 &&
-           body.triangulation.all_reference_cells_are_hyper_cube() &&
+    return body.elements[0].degree == 1 && body.has_hypercubes_only &&
            body.material->is_neo_hookean &&
            body.material->is_split() == body.mean_dilatation;
   }

@@ -108,10 +108,8 @@ namespace Structure
                 const std::string entry =
                   "Boundary conditions/" + condition.name + "/Where";
                 Expression<dim> where(condition.where, entry);
-                body->visit_nodes([&](const BoundaryNode<dim> &node) {
-                  if (where.value(node.x, 0.) != 0.)
-                    visit(node);
-                });
+                for (const auto &node : body->nodes_where(where))
+                  visit(node);
                 AssertThrow(!by_condition[c].empty(),
                             ExcMessage("'" + entry + "' is '" +
                                        condition.where +
@@ -119,7 +117,9 @@ namespace Structure
                                        body->name + "'."));
               }
             else
-              body->visit_boundary_nodes(condition.boundaries, visit);
+              for (const auto &node :
+                   body->boundary_nodes(condition.boundaries))
+                visit(node);
           }
         auto &list = by_condition[c];
         std::sort(list.begin(), list.end());

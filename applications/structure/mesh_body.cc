@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "mesh_body.h"
 
-#include <deal.II/base/mpi.h>
+#include "distributed_mesh.h"
 
 #include <deal.II/dofs/dof_tools.h>
 
@@ -9,80 +9,44 @@
 
 #include <algorithm>
 #include <sstream>
-#include <utility>
+#include <tuple>
 
 namespace Structure
 {
-  namespace
-  {
-    /// Deal the active cells to the ranks: equal slices along the direction in
-    /// which the mesh is longest.
-    template <int dim, int spacedim>
-    void
-    partition_in_slices(Triangulation<dim, spacedim> &mesh,
-                        const unsigned int            n_ranks)
-    {
-      Point<spacedim> low, high;
-      bool            first = true;
-      for (const auto &cell : mesh.active_cell_iterators())
-        {
-          const Point<spacedim> c = cell->center();
-          for (unsigned int i = 0; i < spacedim; ++i)
-            {
-              low[i]  = first ? c[i] : std::min(low[i], c[i]);
-              high[i] = first ? c[i] : std::max(high[i], c[i]);
-            }
-          first = false;
-        }
-      unsigned int axis = 0;
-      for (unsigned int i = 1; i < spacedim; ++i)
-        if (high[i] - low[i] > high[axis] - low[axis])
-          axis = i;
-
-      std::vector<
-        std::pair<double,
-                  typename Triangulation<dim, spacedim>::active_cell_iterator>>
-        cells;
-      for (const auto &cell : mesh.active_cell_iterators())
-        cells.emplace_back(cell->center()[axis], cell);
-      std::stable_sort(cells.begin(),
-                       cells.end(),
-                       [](const auto &a, const auto &b) {
-                         return a.first < b.first;
-                       });
-      for (std::size_t i = 0; i < cells.size(); ++i)
-        cells[i].second->set_subdomain_id(i * n_ranks / cells.size());
-    }
-  } // namespace
-
-
   template <int dim, int spacedim>
   MeshBody<dim, spacedim>::MeshBody(const std::string                  &name,
                                     const Triangulation<dim, spacedim> &mesh,
+                                    const bool     is_whole,
                                     const MPI_Comm communicator)
-    : Body<spacedim>(name)
-    , triangulation(
-        communicator,
-        Triangulation<dim, spacedim>::none,
-        false,
-        parallel::shared::Triangulation<dim, spacedim>::partition_custom_signal)
+    : Body<spacedim>(name, communicator)
+    , mesh(distribute(mesh, is_whole, communicator))
+    , whole(dynamic_cast<
+              const parallel::DistributedTriangulationBase<dim, spacedim> *>(
+              this->mesh.get()) == nullptr)
+    , triangulation(*this->mesh)
+    , has_simplices_only(mesh.all_reference_cells_are_simplex())
+    , has_hypercubes_only(mesh.all_reference_cells_are_hyper_cube())
     , dof_handler(triangulation)
+    , first_level(mesh.n_levels() - 1)
   {
-    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
-    for (auto *signal : {&triangulation.signals.create,
-                         &triangulation.signals.post_refinement})
-      signal->connect(
-        [this, n_ranks]() { partition_in_slices(triangulation, n_ranks); });
-    triangulation.copy_triangulation(mesh);
-    first_level = triangulation.n_levels() - 1;
-    AssertThrow(dim < spacedim ||
-                  triangulation.all_reference_cells_are_simplex() ||
-                  triangulation.all_reference_cells_are_hyper_cube(),
+    AssertThrow(dim < spacedim || has_simplices_only || has_hypercubes_only,
                 ExcMessage("Body '" + name +
                            "': the mesh mixes cell types; expected " +
                            (dim == 3 ? "hexahedra only or tetrahedra only." :
                                        "quadrilaterals only or triangles "
                                        "only.")));
+    for (const auto id : mesh.get_boundary_ids())
+      ids_of_boundaries.insert(id);
+    for (const auto &cell : mesh.active_cell_iterators())
+      ids_of_materials.insert(cell->material_id());
+    const auto &vertices = mesh.get_vertices();
+    corners              = {vertices.front(), vertices.front()};
+    for (const Point<spacedim> &v : vertices)
+      for (unsigned int i = 0; i < spacedim; ++i)
+        {
+          corners.first[i]  = std::min(corners.first[i], v[i]);
+          corners.second[i] = std::max(corners.second[i], v[i]);
+        }
   }
 
 
@@ -99,11 +63,14 @@ namespace Structure
     dof_handler.distribute_dofs(elements);
     local_cells.clear();
     levels.clear();
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned())
+        local_cells.push_back(cell);
+    if (!whole)
+      return;
     active_numbers.resize(triangulation.n_active_cells());
     for (const auto &cell : dof_handler.active_cell_iterators())
       {
-        if (cell->is_locally_owned())
-          local_cells.push_back(cell);
         active_numbers[cell->global_active_cell_index()] =
           cell->active_cell_index();
         levels.push_back(std::max(0, cell->level() - first_level));
@@ -115,61 +82,39 @@ namespace Structure
   std::vector<types::global_dof_index>
   MeshBody<dim, spacedim>::dofs_in_order() const
   {
-    std::vector<types::global_dof_index> result, of_cell;
-    std::vector<char>                    seen(dof_handler.n_dofs(), false);
-    result.reserve(dof_handler.n_dofs());
+    // In the order in which they come on the cells of the whole mesh: all cells
+    // of an owned dof are known, so its owner knows the first of them.
+    using Place =
+      std::tuple<unsigned int, unsigned int, types::global_dof_index>;
+    std::vector<Place>                   places;
+    std::vector<types::global_dof_index> of_cell;
+    const IndexSet   &owned = dof_handler.locally_owned_dofs();
+    std::vector<bool> seen(owned.n_elements(), false);
     for (const auto &cell : dof_handler.active_cell_iterators())
       {
+        if (cell->is_artificial())
+          continue;
         of_cell.resize(cell->get_fe().n_dofs_per_cell());
         cell->get_dof_indices(of_cell);
-        for (const auto dof : of_cell)
-          if (!seen[dof])
+        for (unsigned int a = 0; a < of_cell.size(); ++a)
+          if (owned.is_element(of_cell[a]))
             {
-              seen[dof] = true;
-              result.push_back(this->numbering(dof));
+              const auto i = owned.index_within_set(of_cell[a]);
+              if (!seen[i])
+                places.emplace_back(number_of(cell),
+                                    a,
+                                    this->numbering(of_cell[a]));
+              seen[i] = true;
             }
       }
-    return result;
-  }
-
-
-  template <int dim, int spacedim>
-  std::vector<double>
-  MeshBody<dim, spacedim>::of_all_cells(
-    const std::vector<double> &of_local_cells) const
-  {
-    std::vector<unsigned int> cells;
-    for (const Cell &cell : local_cells)
-      cells.push_back(cell->active_cell_index());
-    const MPI_Comm communicator = triangulation.get_communicator();
-    const auto     all_cells = Utilities::MPI::all_gather(communicator, cells);
-    const auto     values =
-      Utilities::MPI::all_gather(communicator, of_local_cells);
-    std::size_t n = 0;
-    for (const auto &v : values)
-      n += v.size();
-    std::vector<double> result(n);
-    n /= triangulation.n_active_cells();
-    for (std::size_t rank = 0; rank < values.size(); ++rank)
-      for (std::size_t i = 0; i < all_cells[rank].size(); ++i)
-        std::copy_n(values[rank].begin() + i * n,
-                    n,
-                    result.begin() + all_cells[rank][i] * n);
-    return result;
-  }
-
-
-  template <int dim, int spacedim>
-  std::vector<double>
-  MeshBody<dim, spacedim>::of_local_cells(
-    const std::vector<double> &of_all_cells) const
-  {
-    const std::size_t n = of_all_cells.size() / triangulation.n_active_cells();
-    std::vector<double> result;
-    for (const Cell &cell : local_cells)
-      result.insert(result.end(),
-                    of_all_cells.begin() + cell->active_cell_index() * n,
-                    of_all_cells.begin() + (cell->active_cell_index() + 1) * n);
+    std::vector<Place> all;
+    for (auto &of_rank : Utilities::MPI::all_gather(this->communicator, places))
+      std::move(of_rank.begin(), of_rank.end(), std::back_inserter(all));
+    std::sort(all.begin(), all.end());
+    std::vector<types::global_dof_index> result;
+    result.reserve(all.size());
+    for (const auto &[cell, of_cell, dof] : all)
+      result.push_back(dof);
     return result;
   }
 
@@ -179,20 +124,21 @@ namespace Structure
   MeshBody<dim, spacedim>::refine(const std::string                 &flags,
                                   const std::vector<Vector<double>> &fields)
   {
+    Assert(whole, ExcInternalError());
     AssertThrow(flags.size() == triangulation.n_active_cells(),
                 ExcMessage("The refinement belongs to another mesh than that "
                            "of '" +
                            this->name + "'."));
-    for (const auto &cell : triangulation.active_cell_iterators())
+    for (const auto &cell : mesh->active_cell_iterators())
       if (flags[cell->active_cell_index()] == 'r')
         cell->set_refine_flag();
       else if (flags[cell->active_cell_index()] == 'c')
         cell->set_coarsen_flag();
-    triangulation.prepare_coarsening_and_refinement();
+    mesh->prepare_coarsening_and_refinement();
     SolutionTransfer<dim, Vector<double>, spacedim> transfer(dof_handler);
     if (!fields.empty())
       transfer.prepare_for_coarsening_and_refinement(fields);
-    triangulation.execute_coarsening_and_refinement();
+    mesh->execute_coarsening_and_refinement();
     distribute_dofs();
     std::vector<Vector<double>> result(fields.size(),
                                        Vector<double>(dof_handler.n_dofs()));

@@ -24,6 +24,13 @@ namespace Structure
     std::array<Point<3>, 3>                               x; ///< Undeformed.
     double                                                thickness; ///< [m]
     unsigned int part; ///< Parts see each other however near they are.
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &dofs &x &thickness &part;
+    }
   };
 
   /**

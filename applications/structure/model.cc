@@ -101,7 +101,7 @@ namespace Structure
   Model<dim>::setup(const bool with_pressures)
   {
     // Step 1: hanging nodes, in the model's numbering. Every rank knows the
-    // whole mesh, so it knows all lines.
+    // whole mesh where there are any, so it knows all lines.
     IndexSet all(total_dofs);
     all.add_range(0, total_dofs);
     hanging = MortarContact::Compat::make_constraints(owned, all);
@@ -258,17 +258,14 @@ namespace Structure
   double
   Model<dim>::box_diagonal() const
   {
-    Point<dim> low, high;
-    bool       first = true;
+    if (bodies.empty())
+      return 0.;
+    auto [low, high] = bodies.front()->box();
     for (const auto &b : bodies)
-      for (const Point<dim> &v : b->vertices())
+      for (unsigned int i = 0; i < dim; ++i)
         {
-          for (unsigned int i = 0; i < dim; ++i)
-            {
-              low[i]  = first ? v[i] : std::min(low[i], v[i]);
-              high[i] = first ? v[i] : std::max(high[i], v[i]);
-            }
-          first = false;
+          low[i]  = std::min(low[i], b->box().first[i]);
+          high[i] = std::max(high[i], b->box().second[i]);
         }
     return low.distance(high);
   }

@@ -52,34 +52,21 @@ namespace Structure
                        const ShellParameters            &parameters,
                        const std::vector<SymmetryPlane> &planes,
                        const MPI_Comm                    communicator)
-    : MeshBody<2, 3>(name, mesh, communicator)
+    : MeshBody<2, 3>(name, mesh, /* is_whole = */ false, communicator)
     , parameters(parameters)
   {
-    if (!triangulation.all_reference_cells_are_simplex())
+    if (!has_simplices_only)
       {
         elements.push_back(FESystem<2, 3>(FE_Q<2, 3>(1), 6));
         mappings.push_back(MappingQ<2, 3>(1));
       }
-    if (!triangulation.all_reference_cells_are_hyper_cube())
+    if (!has_hypercubes_only)
       {
         elements.push_back(FESystem<2, 3>(FE_SimplexP<2, 3>(1), 6));
         mappings.push_back(MappingFE<2, 3>(FE_SimplexP<2, 3>(1)));
       }
     distribute_dofs();
-
-    orientation = orient(triangulation);
-    if (parameters.is_turned)
-      for (int &sign : orientation)
-        sign = -sign;
-    directors = directors_of(triangulation, orientation, planes);
-
-    scale = parameters.director_scale;
-    if (scale == 0.)
-      {
-        for (const auto &cell : triangulation.active_cell_iterators())
-          scale += cell->diameter() / std::sqrt(2.);
-        scale /= triangulation.n_active_cells();
-      }
+    set_geometry(mesh, planes);
     for (const Cell &cell : local_cells)
       {
         std::vector<Tensor<1, 3>> R, D;
@@ -90,26 +77,72 @@ namespace Structure
           }
         shells.emplace_back(R, D, section_of(cell->material_id()), scale);
       }
+  }
+
+
+  void
+  ShellBody::set_geometry(const Triangulation<2, 3>        &mesh,
+                          const std::vector<SymmetryPlane> &planes)
+  {
+    // Step 1: of the whole mesh.
+    std::vector<int> signs = orient(mesh);
+    if (parameters.is_turned)
+      for (int &sign : signs)
+        sign = -sign;
+    const auto normals = directors_of(mesh, signs, planes);
+    scale              = parameters.director_scale;
+    if (scale == 0.)
+      {
+        for (const auto &cell : mesh.active_cell_iterators())
+          scale += cell->diameter() / std::sqrt(2.);
+        scale /= mesh.n_active_cells();
+      }
+    std::vector<double> thicknesses;
     if (!parameters.thicknesses.empty())
       {
-        std::vector<unsigned int> n(triangulation.n_vertices(), 0);
-        thickness_at.resize(n.size(), 0.);
-        for (const auto &cell : triangulation.active_cell_iterators())
+        std::vector<unsigned int> n(mesh.n_vertices(), 0);
+        thicknesses.resize(n.size(), 0.);
+        for (const auto &cell : mesh.active_cell_iterators())
           for (const unsigned int v : cell->vertex_indices())
             {
               ++n[cell->vertex_index(v)];
-              thickness_at[cell->vertex_index(v)] +=
+              thicknesses[cell->vertex_index(v)] +=
                 section_of(cell->material_id()).thickness;
             }
         for (std::size_t v = 0; v < n.size(); ++v)
-          thickness_at[v] /= std::max(1u, n[v]);
-        for (const auto &cell : triangulation.active_cell_iterators())
+          thicknesses[v] /= std::max(1u, n[v]);
+        for (const auto &cell : mesh.active_cell_iterators())
           for (const auto &face : cell->face_iterators())
             if (face->has_children())
-              thickness_at[face->child(0)->vertex_index(1)] =
-                0.5 * (thickness_at[face->vertex_index(0)] +
-                       thickness_at[face->vertex_index(1)]);
+              thicknesses[face->child(0)->vertex_index(1)] =
+                0.5 * (thicknesses[face->vertex_index(0)] +
+                       thicknesses[face->vertex_index(1)]);
       }
+
+    // Step 2: of what this rank knows, in the order of the whole mesh, too.
+    orientation.resize(triangulation.n_active_cells());
+    directors.resize(triangulation.n_vertices());
+    if (!thicknesses.empty())
+      thickness_at.resize(triangulation.n_vertices());
+    auto known = dof_handler.begin_active();
+    for (const auto &cell : mesh.active_cell_iterators())
+      {
+        if (known == dof_handler.end() ||
+            number_of(known) != cell->active_cell_index())
+          continue;
+        orientation[known->active_cell_index()] =
+          signs[cell->active_cell_index()];
+        for (const unsigned int v : cell->vertex_indices())
+          {
+            const unsigned int to   = known->vertex_index(v),
+                               from = cell->vertex_index(v);
+            directors[to]           = normals[from];
+            if (!thicknesses.empty())
+              thickness_at[to] = thicknesses[from];
+          }
+        ++known;
+      }
+    Assert(known == dof_handler.end(), ExcInternalError());
   }
 
 
@@ -187,18 +220,21 @@ namespace Structure
   std::vector<double>
   ShellBody::history() const
   {
-    std::vector<double> all;
-    const std::size_t   n = n_history();
+    std::vector<std::vector<double>> of_cells;
+    const std::size_t                n = n_history();
     for (const ShellElement &element : shells)
       {
-        const std::size_t first = all.size();
+        of_cells.emplace_back();
         for (const PlasticState &s : element.states)
-          all.insert(all.end(),
-                     {s.strain[0], s.strain[1], s.strain[2], s.equivalent});
-        all.insert(all.end(), element.modes.begin(), element.modes.end());
-        all.resize(first + n, 0.);
+          of_cells.back().insert(
+            of_cells.back().end(),
+            {s.strain[0], s.strain[1], s.strain[2], s.equivalent});
+        of_cells.back().insert(of_cells.back().end(),
+                               element.modes.begin(),
+                               element.modes.end());
+        of_cells.back().resize(n, 0.);
       }
-    return of_all_cells(all);
+    return of_all_cells(of_cells);
   }
 
 
@@ -208,27 +244,25 @@ namespace Structure
     std::size_t n = 0;
     for (const ShellElement &element : shells)
       n = std::max(n, 4 * element.states.size() + element.modes.size());
-    return Utilities::MPI::max(n, triangulation.get_communicator());
+    return Utilities::MPI::max(n, communicator);
   }
 
 
   void
-  ShellBody::restore(const std::vector<double> &of_all)
+  ShellBody::restore(const std::vector<double> &state)
   {
     const std::size_t n = n_history();
-    AssertThrow(of_all.size() == n * triangulation.n_active_cells(),
+    AssertThrow(state.size() == n * n_cells(),
                 ExcMessage("The saved state belongs to another shell."));
-    const std::vector<double> state = of_local_cells(of_all);
-    std::size_t               cell  = 0;
-    for (ShellElement &element : shells)
+    for (std::size_t cell = 0; cell < shells.size(); ++cell)
       {
-        std::size_t i = n * cell++;
-        for (PlasticState &s : element.states)
+        std::size_t i = n * number_of(local_cells[cell]);
+        for (PlasticState &s : shells[cell].states)
           {
             s = {{{state[i], state[i + 1], state[i + 2]}}, state[i + 3]};
             i += 4;
           }
-        for (double &mode : element.modes)
+        for (double &mode : shells[cell].modes)
           mode = state[i++];
       }
   }
@@ -426,11 +460,10 @@ namespace Structure
 
 
   void
-  ShellBody::visit_boundary_nodes(
-    const std::set<types::boundary_id>                 &ids,
-    const std::function<void(const BoundaryNode<3> &)> &visit) const
+  ShellBody::visit_boundary_nodes(const std::set<types::boundary_id> &ids,
+                                  const Visitor &visit) const
   {
-    for (const auto &cell : dof_handler.active_cell_iterators())
+    for (const Cell &cell : local_cells)
       for (const unsigned int f : cell->face_indices())
         if (cell->face(f)->at_boundary() &&
             ids.count(cell->face(f)->boundary_id()) > 0)
@@ -442,10 +475,9 @@ namespace Structure
 
 
   void
-  ShellBody::visit_nodes(
-    const std::function<void(const BoundaryNode<3> &)> &visit) const
+  ShellBody::visit_nodes(const Visitor &visit) const
   {
-    for (const auto &cell : dof_handler.active_cell_iterators())
+    for (const Cell &cell : local_cells)
       for (const unsigned int v : cell->vertex_indices())
         visit(node_of(cell, v));
   }
@@ -488,9 +520,10 @@ namespace Structure
   std::vector<MidTriangle>
   ShellBody::mid_surface() const
   {
-    std::vector<MidTriangle> result;
-    for (const auto &cell : dof_handler.active_cell_iterators())
+    std::vector<std::vector<MidTriangle>> of_cells;
+    for (const Cell &cell : local_cells)
       {
+        of_cells.emplace_back();
         const double thickness = section_of(cell->material_id()).thickness;
         std::vector<Point<3>> x;
         for (const unsigned int v : cell->vertex_indices())
@@ -506,19 +539,21 @@ namespace Structure
                 triangle.dofs[a]           = node.dofs;
                 triangle.x[a]              = node.x;
               }
-            result.push_back(triangle);
+            of_cells.back().push_back(triangle);
           }
       }
-    return result;
+    return of_all_cells(of_cells);
   }
 
 
   std::vector<std::array<Point<3>, 3>>
   ShellBody::outer_surface(const Vector<double> &u, const double offset) const
   {
-    std::vector<std::array<Point<3>, 3>> result;
-    for (const auto &cell : dof_handler.active_cell_iterators())
+    std::vector<std::vector<std::array<Point<3>, 3>>> of_cells;
+    for (const Cell &cell : local_cells)
       {
+        of_cells.emplace_back();
+        auto &triangles = of_cells.back();
         // mid-surface, and from there to the top
         std::vector<Point<3>>     x;
         std::vector<Tensor<1, 3>> up;
@@ -542,8 +577,8 @@ namespace Structure
             if (is_turned)
               std::swap(corners[1], corners[2]);
             const auto [a, b, c] = corners;
-            result.push_back({{x[a] + up[a], x[b] + up[b], x[c] + up[c]}});
-            result.push_back({{x[a] - up[a], x[c] - up[c], x[b] - up[b]}});
+            triangles.push_back({{x[a] + up[a], x[b] + up[b], x[c] + up[c]}});
+            triangles.push_back({{x[a] - up[a], x[c] - up[c], x[b] - up[b]}});
           }
         // free edges: from the bottom to the top, in the order of the top's
         const std::vector<unsigned int> ring =
@@ -561,11 +596,13 @@ namespace Structure
                   continue;
                 if (is_turned)
                   std::swap(a, b);
-                result.push_back({{x[b] + up[b], x[a] + up[a], x[a] - up[a]}});
-                result.push_back({{x[b] + up[b], x[a] - up[a], x[b] - up[b]}});
+                triangles.push_back(
+                  {{x[b] + up[b], x[a] + up[a], x[a] - up[a]}});
+                triangles.push_back(
+                  {{x[b] + up[b], x[a] - up[a], x[b] - up[b]}});
               }
       }
-    return result;
+    return of_all_cells(of_cells);
   }
 
 

@@ -36,6 +36,7 @@ namespace Structure
   class ShellBody : public MeshBody<2, 3>
   {
   public:
+    /// @param mesh The same on all ranks.
     ShellBody(const std::string                &name,
               const Triangulation<2, 3>        &mesh,
               const ShellParameters            &parameters,
@@ -116,15 +117,6 @@ namespace Structure
     place_of(const unsigned int cell, const unsigned int dof) const override;
 
     void
-    visit_boundary_nodes(
-      const std::set<types::boundary_id>                 &ids,
-      const std::function<void(const BoundaryNode<3> &)> &visit) const override;
-
-    void
-    visit_nodes(
-      const std::function<void(const BoundaryNode<3> &)> &visit) const override;
-
-    void
     add_to(MortarContact::ContactInterface<3> &interface,
            const bool                          secondary,
            const MortarContact::FaceSelection &faces) const override;
@@ -141,6 +133,18 @@ namespace Structure
           const MPI_Comm      communicator) override;
 
   private:
+    void
+    visit_boundary_nodes(const std::set<types::boundary_id> &ids,
+                         const Visitor &visit) const override;
+
+    void
+    visit_nodes(const Visitor &visit) const override;
+
+    /// Orientation, directors and thicknesses where this rank has cells.
+    void
+    set_geometry(const Triangulation<2, 3>        &mesh,
+                 const std::vector<SymmetryPlane> &planes);
+
     /// Node of a cell.
     BoundaryNode<3>
     node_of(const Cell &cell, const unsigned int vertex) const;

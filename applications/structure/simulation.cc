@@ -148,7 +148,8 @@ namespace Structure
 
   template <int dim>
   std::unique_ptr<Body<dim>>
-  Simulation<dim>::make_solid(const BodyParameters &b) const
+  Simulation<dim>::make_solid(const BodyParameters &b,
+                              const bool            whole_meshes) const
   {
     Triangulation<dim>        mesh;
     const MeshParts           parts    = make_mesh<dim>(b.mesh, mesh);
@@ -162,6 +163,7 @@ namespace Structure
                                                   std::move(material),
                                                   b.degree,
                                                   mean_dilatation,
+                                                  whole_meshes,
                                                   communicator);
     solid->names_in_file = names_of(parts);
     return solid;
@@ -209,14 +211,18 @@ namespace Structure
 
   template <int dim>
   void
-  Simulation<dim>::setup()
+  Simulation<dim>::make_bodies(const bool whole_meshes)
   {
-    TimerOutput::Scope scope(timer, "setup");
+    // what looks at the bodies goes first
+    model.interfaces.clear();
+    model.fluid.reset();
+    model.bodies.clear();
     for (const BodyParameters &b : scene.bodies)
       {
         try
           {
-            model.bodies.push_back(b.is_shell ? make_shell(b) : make_solid(b));
+            model.bodies.push_back(b.is_shell ? make_shell(b) :
+                                                make_solid(b, whole_meshes));
           }
         catch (const ExceptionBase &e)
           {
@@ -229,6 +235,15 @@ namespace Structure
         model.bodies.back()->body_force       = b.body_force;
         model.bodies.back()->initial_velocity = b.initial_velocity;
       }
+  }
+
+
+  template <int dim>
+  void
+  Simulation<dim>::setup()
+  {
+    TimerOutput::Scope scope(timer, "setup");
+    make_bodies(scene.refinement.is_on());
     for (const BoundaryCondition &c : scene.conditions)
       {
         if (!c.point.empty() || !c.where.empty() || c.on_surface)
@@ -236,7 +251,7 @@ namespace Structure
         const auto ids = model.body(c.body).boundary_ids();
         for (const auto id : c.boundaries)
           {
-            AssertThrow(std::find(ids.begin(), ids.end(), id) != ids.end(),
+            AssertThrow(ids.count(id) > 0,
                         ExcMessage("'Boundary conditions/" + c.name +
                                    "/Boundary ids' has " + std::to_string(id) +
                                    "; the mesh of '" + c.body + "' has " +
@@ -376,15 +391,9 @@ namespace Structure
         std::string place;
         for (unsigned int d = 0; d < dim; ++d)
           {
-            const auto range =
-              std::minmax_element(b.vertices().begin(),
-                                  b.vertices().end(),
-                                  [&](const auto &p, const auto &q) {
-                                    return p[d] < q[d];
-                                  });
             place += std::string(d == 0 ? "  " : ", ") + "xyz"[d] + " from " +
-                     number((*range.first)[d]) + " to " +
-                     number((*range.second)[d]);
+                     number(b.box().first[d]) + " to " +
+                     number(b.box().second[d]);
           }
         log.line(place + "; boundary ids " + list_of(b.boundary_ids()) +
                  "; material ids " + list_of(b.material_ids()) +

@@ -119,8 +119,13 @@ namespace Structure
     void
     set_values_by_body(const std::vector<Vector<double>> &values, Vector_t &v);
 
+    /// The bodies of the scene, undeformed; solids with whole meshes on each
+    /// rank can be refined. connect() must follow.
+    void
+    make_bodies(const bool whole_meshes);
+
     std::unique_ptr<Body<dim>>
-    make_solid(const BodyParameters &parameters) const;
+    make_solid(const BodyParameters &parameters, const bool whole_meshes) const;
 
     std::unique_ptr<Body<dim>>
     make_shell(const BodyParameters &parameters) const;

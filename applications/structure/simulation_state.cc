@@ -212,6 +212,8 @@ namespace Structure
                   ExcMessage("The checkpoint in '" + directory +
                              "' belongs to another scene: " + what + "."));
     };
+    if (!c.refinements.empty() && !scene.refinement.is_on())
+      make_bodies(/* whole_meshes = */ true);
     for (const auto &flags : c.refinements)
       {
         fits(flags.size() == model.bodies.size(), "it has other bodies");

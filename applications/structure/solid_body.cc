@@ -57,12 +57,13 @@ namespace Structure
                             std::unique_ptr<Material> material,
                             const unsigned int        degree,
                             const bool                mean_dilatation,
+                            const bool                is_whole,
                             const MPI_Comm            communicator)
-    : MeshBody<dim, dim>(name, mesh, communicator)
+    : MeshBody<dim, dim>(name, mesh, is_whole, communicator)
     , material(std::move(material))
     , mean_dilatation(mean_dilatation)
   {
-    const bool simplices = triangulation.all_reference_cells_are_simplex();
+    const bool simplices = this->has_simplices_only;
     AssertThrow(!mean_dilatation || (!simplices && degree == 1),
                 ExcMessage("Body '" + name +
                            "': 'Mean dilatation' needs hexahedra "
@@ -149,7 +150,7 @@ namespace Structure
     for (unsigned int c = 0; c < result.size(); ++c)
       result[c] =
         material->shear_modulus * double(estimate(c)) * double(estimate(c));
-    Utilities::MPI::sum(result, triangulation.get_communicator(), result);
+    Utilities::MPI::sum(result, this->communicator, result);
     return result;
   }
 
@@ -273,9 +274,8 @@ namespace Structure
 
   template <int dim>
   void
-  SolidBody<dim>::visit_boundary_nodes(
-    const std::set<types::boundary_id>                   &ids,
-    const std::function<void(const BoundaryNode<dim> &)> &visit) const
+  SolidBody<dim>::visit_boundary_nodes(const std::set<types::boundary_id> &ids,
+                                       const Visitor &visit) const
   {
     const FiniteElement<dim>            &scalar = elements[0].base_element(0);
     std::vector<types::global_dof_index> dofs(elements[0].n_dofs_per_cell());
@@ -283,7 +283,7 @@ namespace Structure
                               elements[0],
                               *face_quadrature,
                               update_normal_vectors);
-    for (const auto &cell : dof_handler.active_cell_iterators())
+    for (const auto &cell : local_cells)
       for (const unsigned int f : cell->face_indices())
         {
           if (!cell->face(f)->at_boundary() ||
@@ -313,12 +313,11 @@ namespace Structure
 
   template <int dim>
   void
-  SolidBody<dim>::visit_nodes(
-    const std::function<void(const BoundaryNode<dim> &)> &visit) const
+  SolidBody<dim>::visit_nodes(const Visitor &visit) const
   {
     const FiniteElement<dim>            &scalar = elements[0].base_element(0);
     std::vector<types::global_dof_index> dofs(elements[0].n_dofs_per_cell());
-    for (const auto &cell : dof_handler.active_cell_iterators())
+    for (const auto &cell : local_cells)
       {
         cell->get_dof_indices(dofs);
         for (unsigned int k = 0; k < scalar.n_dofs_per_cell(); ++k)

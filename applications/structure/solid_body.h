@@ -31,17 +31,18 @@ namespace Structure
     using MeshBody<dim, dim>::dof_handler;
 
     /**
-     * @param mesh   The coarse mesh, with ids and manifolds set. Cells are
-     *               dealt to the ranks in slices along the longest direction.
+     * @param mesh   With ids and manifolds set, the same on all ranks.
      * @param degree Of the displacements, 1 or 2.
      * @param mean_dilatation Replace J by the cell's mean in the volumetric
      *               energy (Q1P0): no locking for nearly incompressible solids.
+     * @param is_whole Each rank keeps the whole mesh, see distribute().
      */
     SolidBody(const std::string        &name,
               const Triangulation<dim> &mesh,
               std::unique_ptr<Material> material,
               const unsigned int        degree,
               const bool                mean_dilatation,
+              const bool                is_whole,
               const MPI_Comm            communicator);
 
     std::string
@@ -91,7 +92,7 @@ namespace Structure
     bool
     can_be_refined() const override
     {
-      return triangulation.all_reference_cells_are_hyper_cube();
+      return this->has_hypercubes_only;
     }
 
     std::vector<double>
@@ -105,15 +106,6 @@ namespace Structure
 
     DoFPlace<dim>
     place_of(const unsigned int cell, const unsigned int dof) const override;
-
-    void
-    visit_boundary_nodes(const std::set<types::boundary_id> &ids,
-                         const std::function<void(const BoundaryNode<dim> &)>
-                           &visit) const override;
-
-    void
-    visit_nodes(const std::function<void(const BoundaryNode<dim> &)> &visit)
-      const override;
 
     void
     add_to(MortarContact::ContactInterface<dim> &interface,
@@ -153,6 +145,14 @@ namespace Structure
 
   private:
     using MeshBody<dim, dim>::local_cells;
+    using typename Body<dim>::Visitor;
+
+    void
+    visit_boundary_nodes(const std::set<types::boundary_id> &ids,
+                         const Visitor &visit) const override;
+
+    void
+    visit_nodes(const Visitor &visit) const override;
 
     void
     add_pressure(const FEFaceValues<dim> &face,

@@ -34,11 +34,9 @@ namespace Structure
 
     // the free edges, around the axis; nodes of two edges once
     std::set<types::global_dof_index> seen;
-    body.visit_boundary_nodes({parameters.free_edge},
-                              [&](const BoundaryNode<dim> &node) {
-                                if (seen.insert(node.dofs[0]).second)
-                                  edge.push_back(node);
-                              });
+    for (const auto &node : body.boundary_nodes({parameters.free_edge}))
+      if (seen.insert(node.dofs[0]).second)
+        edge.push_back(node);
     AssertThrow(edge.size() > 2,
                 ExcMessage("'" + body.name +
                            "' has no free edges: boundary id " +

@@ -25,7 +25,7 @@ namespace
     GridGenerator::subdivided_hyper_cube(mesh, 2);
     GridTools::distort_random(0.2, mesh, false);
     auto body = std::make_unique<SolidBody<3>>(
-      "block", mesh, parameters.make(), 1, mean, MPI_COMM_SELF);
+      "block", mesh, parameters.make(), 1, mean, false, MPI_COMM_SELF);
     body->numbering = MortarContact::DoFNumbering({0}, {0});
     return body;
   }

@@ -205,9 +205,8 @@ TEST(MidSurfaces, ForcesFromOutsideStretchABar)
       // a quarter of the force of a facet for each of its corners
       std::map<types::global_dof_index, double>   shares;
       std::map<types::global_dof_index, Point<3>> nodes;
-      bar->model.bodies[0]->visit_boundary_nodes({1}, [&](const auto &node) {
+      for (const auto &node : bar->model.bodies[0]->boundary_nodes({1}))
         nodes[node.dofs[0]] = node.x;
-      });
       for (const auto &[dof, at] : nodes)
         {
           double share = 0.25 * 0.25;

@@ -111,10 +111,13 @@ namespace Test
     return out.str();
   }
 
-  /// The scene of a text. Collections of numbers are checked by the caller.
+  /// The scene of a text, on the ranks of a communicator. Collections of numbers
+  /// are checked by the caller.
   template <int dim>
   std::unique_ptr<Simulation<dim>>
-  make(const std::string &text, Log &log)
+  make(const std::string &text,
+       Log               &log,
+       const MPI_Comm     communicator = MPI_COMM_WORLD)
   {
     const auto *info = testing::UnitTest::GetInstance()->current_test_info();
     std::string name =
@@ -124,21 +127,21 @@ namespace Test
         c = '_';
     const std::string file = "scene-" + name + ".prm";
     // one rank writes what all read
-    MPI_Barrier(MPI_COMM_WORLD);
-    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    MPI_Barrier(communicator);
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
       std::ofstream(file) << "set Dimension = " << dim << "\n"
                           << text
                           << "subsection Output\nset Directory = output-"
                           << name
                           << "\nset Every = 0\nset Checkpoint every = 0\nend\n";
-    MPI_Barrier(MPI_COMM_WORLD);
+    MPI_Barrier(communicator);
     SceneSource source;
     source.file   = file;
     source.driver = "contact_scene";
     std::string used;
     const Scene scene = read_scene(source, used);
     auto        simulation =
-      std::make_unique<Simulation<dim>>(scene, used, MPI_COMM_WORLD, log);
+      std::make_unique<Simulation<dim>>(scene, used, communicator, log);
     simulation->setup();
     return simulation;
   }
