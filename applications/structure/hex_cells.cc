@@ -13,10 +13,19 @@ namespace Structure
 {
   namespace
   {
-    /// Share of the bulk modulus in the matrix, over the shear modulus, where
-    /// pressures are unknowns: two leaves the matrix definite under the
-    /// deviatoric stresses that occur, and multigrid as fast as for nu = 0.27.
-    constexpr double bulk_in_matrix = 2.;
+    /**
+     * Share k of the bulk modulus K that stays in the matrix where pressures
+     * are unknowns. The more of it, the less the iterations suffer from
+     * pressures that alternate from cell to cell, of which displacements of
+     * trilinear cells know little; the less of it, the better is multigrid.
+     * The best k grew slowly with K (benchmarks/results.md): 2 to 17 mu for nu
+     * of 0.45 to 0.4999.
+     */
+    double
+    bulk_in_matrix(const double bulk, const double mu)
+    {
+      return std::min(bulk, mu * std::cbrt(bulk / mu));
+    }
 
     /// The number of the pair of nodes (a, b), a <= b.
     unsigned int
@@ -299,7 +308,7 @@ namespace Structure
     const bool   with_tangent = target.matrix != nullptr;
     const bool   unknown      = kernel.has_pressure && pressures.are_on;
     const double share =
-      unknown ? std::min(kernel.bulk, bulk_in_matrix * kernel.mu) : kernel.bulk;
+      unknown ? bulk_in_matrix(kernel.bulk, kernel.mu) : kernel.bulk;
     const types::global_dof_index first_row =
       unknown && !cells.empty() ?
         pressures.owned.nth_index_in_set(0) + first_pressure :
