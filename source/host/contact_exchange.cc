@@ -107,12 +107,9 @@ namespace MortarContact
       return;
     fetched_owned = owned;
     fetched       = dofs;
-    own_dofs.clear();
     places.clear();
     std::map<unsigned int, Dofs> asked;
     asked_of_me = ask_owners(owned, dofs, asked, communicator);
-    for (const auto &[rank, of_rank] : asked_of_me)
-      own_dofs.insert(own_dofs.end(), of_rank.begin(), of_rank.end());
     for (const auto &[rank, of_rank] : asked)
       for (const auto dof : of_rank)
         places[rank].push_back(place_of(dof));
@@ -121,15 +118,9 @@ namespace MortarContact
 
   template <int dim>
   void
-  ContactInterface<dim>::exchange(const std::vector<double> &own_values)
+  ContactInterface<dim>::exchange(
+    const std::map<unsigned int, std::vector<double>> &answers)
   {
-    std::map<unsigned int, std::vector<double>> answers;
-    auto                                        next = own_values.begin();
-    for (const auto &[rank, of_rank] : asked_of_me)
-      {
-        answers[rank].assign(next, next + of_rank.size());
-        next += of_rank.size();
-      }
     for (const auto &[rank, received] :
          Utilities::MPI::some_to_some(communicator, answers))
       for (std::size_t i = 0; i < received.size(); ++i)
@@ -156,35 +147,40 @@ namespace MortarContact
 
 
   template <int dim>
-  void
+  bool
   ContactInterface<dim>::bring_near(
-    const std::vector<std::vector<Box<dim>>>   &regions,
-    const std::array<std::vector<Box<dim>>, 2> &boxes,
-    const std::vector<std::vector<double> *>   &more_states)
+    const std::function<std::vector<std::vector<Box<dim>>>()>   &regions,
+    const std::function<std::array<std::vector<Box<dim>>, 2>()> &boxes,
+    const std::vector<std::vector<double> *>                    &more_states)
   {
     const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator);
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
     if (n_ranks == 1 || obstacle)
-      return;
+      return false;
     std::vector<std::vector<double> *> states = more_states;
     for (auto *state : {&values, &committed_values, &accepted_values})
       states.push_back(state);
 
     // Step 1: where all ranks look.
     std::vector<std::vector<Box<dim>>> coarse;
-    for (const auto &of_sweep : regions)
+    for (const auto &of_sweep : regions())
       coarse.push_back(join(of_sweep, n_boxes));
     const auto looked_at = Utilities::MPI::all_gather(communicator, coarse);
 
     // Step 2: this rank's facets that lie there and are not known there.
     using Message = std::array<std::vector<NearFacet<dim>>, 2>;
-    std::map<unsigned int, Message> messages;
-    for (unsigned int i = 0; i < regions.size(); ++i)
+    std::map<unsigned int, Message>      messages;
+    std::array<std::vector<Box<dim>>, 2> own;
+    if (boxes)
+      own = boxes();
+    else
+      own = {{own_boxes(0), own_boxes(1)}};
+    for (unsigned int i = 0; i < coarse.size(); ++i)
       {
         const unsigned int side = side_of(i, 1);
-        if (boxes[side].empty())
+        if (own[side].empty())
           continue;
-        const BroadPhase<dim> broad_phase(boxes[side]);
+        const BroadPhase<dim> broad_phase(own[side]);
         for (unsigned int r = 0; r < n_ranks; ++r)
           for (const Box<dim> &box : looked_at[r][i])
             if (r != rank)
@@ -235,7 +231,7 @@ namespace MortarContact
               sweeps[i]->remember_primary(before);
         }
     if (received.empty())
-      return;
+      return false;
     const Dofs          old = std::exchange(dofs, known_dofs());
     std::vector<double> extended(dofs.size());
     for (std::size_t s = 0; s < states.size(); ++s)
@@ -247,6 +243,7 @@ namespace MortarContact
                           news.at(dofs[k])[s];
         *states[s] = extended;
       }
+    return true;
   }
 
 
@@ -254,13 +251,12 @@ namespace MortarContact
   void
   ContactInterface<dim>::bring_candidates_near()
   {
-    // one rank searches often, and has nothing to ask for
-    if (Utilities::MPI::n_mpi_processes(communicator) == 1)
-      return;
-    std::vector<std::vector<Box<dim>>> regions;
-    for (const auto &sweep : sweeps)
-      regions.push_back(sweep->regions(coupled_motion));
-    bring_near(regions, {{own_boxes(0), own_boxes(1)}});
+    (void)bring_near([&]() {
+      std::vector<std::vector<Box<dim>>> regions;
+      for (const auto &sweep : sweeps)
+        regions.push_back(sweep->regions(coupled_motion));
+      return regions;
+    });
   }
 
 
@@ -273,13 +269,15 @@ namespace MortarContact
   template void
   ContactInterface<2>::prepare_fetch(const IndexSet &);
   template void
-  ContactInterface<2>::exchange(const std::vector<double> &);
+  ContactInterface<2>::exchange(
+    const std::map<unsigned int, std::vector<double>> &);
   template std::vector<Box<2>>
   ContactInterface<2>::own_boxes(const unsigned int) const;
-  template void
-  ContactInterface<2>::bring_near(const std::vector<std::vector<Box<2>>> &,
-                                  const std::array<std::vector<Box<2>>, 2> &,
-                                  const std::vector<std::vector<double> *> &);
+  template bool
+  ContactInterface<2>::bring_near(
+    const std::function<std::vector<std::vector<Box<2>>>()> &,
+    const std::function<std::array<std::vector<Box<2>>, 2>()> &,
+    const std::vector<std::vector<double> *> &);
   template void
   ContactInterface<2>::bring_candidates_near();
   template std::vector<types::global_dof_index>
@@ -291,13 +289,15 @@ namespace MortarContact
   template void
   ContactInterface<3>::prepare_fetch(const IndexSet &);
   template void
-  ContactInterface<3>::exchange(const std::vector<double> &);
+  ContactInterface<3>::exchange(
+    const std::map<unsigned int, std::vector<double>> &);
   template std::vector<Box<3>>
   ContactInterface<3>::own_boxes(const unsigned int) const;
-  template void
-  ContactInterface<3>::bring_near(const std::vector<std::vector<Box<3>>> &,
-                                  const std::array<std::vector<Box<3>>, 2> &,
-                                  const std::vector<std::vector<double> *> &);
+  template bool
+  ContactInterface<3>::bring_near(
+    const std::function<std::vector<std::vector<Box<3>>>()> &,
+    const std::function<std::array<std::vector<Box<3>>, 2>()> &,
+    const std::vector<std::vector<double> *> &);
   template void
   ContactInterface<3>::bring_candidates_near();
 } // namespace MortarContact

@@ -368,10 +368,10 @@ namespace MortarContact
         if (parameters.kind == ContactParameters::Kind::tied)
           strength.law = TieStrength::Law::never;
         const PairKernel<dim> kernel(*law, nullptr, options);
-        bring_near({tie_regions(surfaces[0].skin,
-                                surfaces[1].skin,
-                                parameters.tie.tolerance)},
-                   {{own_boxes(0), own_boxes(1)}});
+        (void)bring_near([&]() {
+          return std::vector<std::vector<Box<dim>>>{tie_regions(
+            surfaces[0].skin, surfaces[1].skin, parameters.tie.tolerance)};
+        });
         tie_sweep = std::make_unique<TieSweep<dim>>(surfaces[0].skin,
                                                     surfaces[1].skin,
                                                     strength,

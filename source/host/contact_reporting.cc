@@ -27,10 +27,12 @@ namespace MortarContact
     initial.treatment      = parameters.initial_penetration;
     initial.asked_pressure = parameters.initial_pressure;
 
-    std::vector<std::vector<Box<dim>>> regions;
-    for (const auto &sweep : sweeps)
-      regions.push_back(sweep->initial_regions(treatment));
-    bring_near(regions, {{own_boxes(0), own_boxes(1)}});
+    (void)bring_near([&]() {
+      std::vector<std::vector<Box<dim>>> regions;
+      for (const auto &sweep : sweeps)
+        regions.push_back(sweep->initial_regions(treatment));
+      return regions;
+    });
     std::vector<DeepPenetration> deepest, undetected;
     for (unsigned int i = 0; i < sweeps.size(); ++i)
       {

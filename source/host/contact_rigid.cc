@@ -263,22 +263,25 @@ namespace MortarContact
     };
     go();
     // facets of other ranks that are far now may be near on the way
-    if (Utilities::MPI::n_mpi_processes(communicator) > 1 && !obstacle)
-      {
-        std::array<std::vector<Box<dim>>, 2> boxes;
-        for (unsigned int side = 0; side < 2; ++side)
-          {
-            const Skin<dim> &skin = surfaces[side].skin;
-            for (unsigned int f = 0; f < skin.n_own; ++f)
-              boxes[side].push_back(
-                box_around(skin.facets[f].current, moved[side][f]));
-          }
-        std::vector<std::vector<Box<dim>>> regions;
-        for (unsigned int i = 0; i < sweeps.size(); ++i)
-          regions.push_back(sweeps[i]->swept_regions(moved[side_of(i, 0)]));
-        bring_near(regions, boxes, {&from, &to});
-        go();
-      }
+    const auto regions = [&]() {
+      std::vector<std::vector<Box<dim>>> result;
+      for (unsigned int i = 0; i < sweeps.size(); ++i)
+        result.push_back(sweeps[i]->swept_regions(moved[side_of(i, 0)]));
+      return result;
+    };
+    const auto boxes = [&]() {
+      std::array<std::vector<Box<dim>>, 2> result;
+      for (unsigned int side = 0; side < 2; ++side)
+        {
+          const Skin<dim> &skin = surfaces[side].skin;
+          for (unsigned int f = 0; f < skin.n_own; ++f)
+            result[side].push_back(
+              box_around(skin.facets[f].current, moved[side][f]));
+        }
+      return result;
+    };
+    if (bring_near(regions, boxes, {&from, &to}))
+      go();
 
     double step = 1.;
     for (unsigned int i = 0; i < sweeps.size(); ++i)

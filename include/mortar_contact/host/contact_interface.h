@@ -16,6 +16,7 @@
 #include <deal.II/lac/vector.h>
 
 #include <array>
+#include <functional>
 #include <iosfwd>
 #include <map>
 #include <memory>
@@ -480,9 +481,10 @@ namespace MortarContact
     void
     prepare_fetch(const IndexSet &owned);
 
-    /// Send the values of own_dofs to those who asked, and receive theirs.
+    /// Send the values that other ranks have asked for, and receive theirs.
+    /// @param answers By rank, in the order of asked_of_me.
     void
-    exchange(const std::vector<double> &own_values);
+    exchange(const std::map<unsigned int, std::vector<double>> &answers);
 
     /// Boxes around the facets of this rank.
     std::vector<Box<dim>>
@@ -492,14 +494,18 @@ namespace MortarContact
      * Get to know all primary facets of other ranks that lie in @p regions, by
      * sweep (ties: as sweep 0). Each rank tells the others at most a few boxes;
      * facets go from their rank to those that look there, once.
-     * @param boxes       Of this rank's facets, by side.
+     * @param regions     Called only where other ranks have facets.
+     * @param boxes       The same, of this rank's facets, by side; empty: where
+     *                    they are.
      * @param more_states Values by dof that must go with the facets, besides
      *                    those that are members.
+     * @return Whether this rank knows more than before.
      */
-    void
-    bring_near(const std::vector<std::vector<Box<dim>>>   &regions,
-               const std::array<std::vector<Box<dim>>, 2> &boxes,
-               const std::vector<std::vector<double> *>   &more_states = {});
+    bool
+    bring_near(
+      const std::function<std::vector<std::vector<Box<dim>>>()>   &regions,
+      const std::function<std::array<std::vector<Box<dim>>, 2>()> &boxes = {},
+      const std::vector<std::vector<double> *> &more_states              = {});
 
     /// The same for all that a search, and couplings, may find.
     void
@@ -589,9 +595,8 @@ namespace MortarContact
     // What fetch() does: as last prepared,
     IndexSet                             fetched_owned;
     std::vector<types::global_dof_index> fetched;
-    /// what ranks want of this one, and all of it in a row;
+    /// what ranks want of this one,
     std::map<unsigned int, std::vector<types::global_dof_index>> asked_of_me;
-    std::vector<types::global_dof_index>                         own_dofs;
     /// where what ranks send goes to.
     std::map<unsigned int, std::vector<std::size_t>> places;
   };

@@ -28,11 +28,15 @@ namespace MortarContact
                            "; after dofs are numbered anew, add the surfaces "
                            "again."));
     prepare_fetch(u.locally_owned_elements());
-    std::vector<double> own_values;
-    own_values.reserve(own_dofs.size());
-    for (const auto dof : own_dofs)
-      own_values.push_back(u(dof));
-    exchange(own_values);
+    std::map<unsigned int, std::vector<double>> answers;
+    for (const auto &[rank, asked] : asked_of_me)
+      {
+        std::vector<double> &of_rank = answers[rank];
+        of_rank.reserve(asked.size());
+        for (const auto dof : asked)
+          of_rank.push_back(u(dof));
+      }
+    exchange(answers);
   }
 
 
