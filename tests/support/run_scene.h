@@ -111,8 +111,8 @@ namespace Test
     return out.str();
   }
 
-  /// The scene of a text, on the ranks of a communicator. Collections of numbers
-  /// are checked by the caller.
+  /// The scene of a text, on the ranks of a communicator. Collections of
+  /// numbers are checked by the caller.
   template <int dim>
   std::unique_ptr<Simulation<dim>>
   make(const std::string &text,
