@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <tuple>
 
 namespace Structure
 {
@@ -18,16 +19,6 @@ namespace Structure
       for (auto &of_rank : Utilities::MPI::all_gather(communicator, nodes))
         std::move(of_rank.begin(), of_rank.end(), std::back_inserter(result));
       return result;
-    }
-
-    template <int dim>
-    bool
-    is_before(const Point<dim> &x, const Point<dim> &y)
-    {
-      for (unsigned int i = 0; i < dim; ++i)
-        if (x[i] != y[i])
-          return x[i] < y[i];
-      return false;
     }
   } // namespace
 
@@ -51,7 +42,7 @@ namespace Structure
     std::vector<BoundaryNode<dim>>    nodes;
     std::set<types::global_dof_index> seen;
     visit_nodes([&](const BoundaryNode<dim> &node) {
-      if (seen.insert(node.dofs[0]).second && formula.value(node.x, 0.) != 0.)
+      if (formula.value(node.x, 0.) != 0. && seen.insert(node.dofs[0]).second)
         nodes.push_back(node);
     });
     return of_all_ranks(nodes, communicator);
@@ -65,7 +56,7 @@ namespace Structure
     const auto nearer = [&x](const BoundaryNode<dim> &a,
                              const BoundaryNode<dim> &b) {
       const double to_a = x.distance(a.x), to_b = x.distance(b.x);
-      return to_a < to_b || (to_a == to_b && is_before(a.x, b.x));
+      return std::tie(to_a, a.cell) < std::tie(to_b, b.cell);
     };
     std::vector<BoundaryNode<dim>> nearest; // one, or none on this rank
     visit_nodes([&](const BoundaryNode<dim> &node) {

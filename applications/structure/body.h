@@ -64,6 +64,8 @@ namespace Structure
     std::array<types::global_dof_index, dim> dofs; ///< Of the model.
     Point<dim>                               x;
     Tensor<1, dim>                           normal; ///< Out of the face.
+    /// Of which it was visited, in the order of the whole mesh.
+    unsigned int                             cell         = 0;
     bool                                     has_director = false;
     std::array<types::global_dof_index, dim> director_dofs;
 
@@ -71,7 +73,7 @@ namespace Structure
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &dofs &x &normal &has_director &director_dofs;
+      archive &dofs &x &normal &cell &has_director &director_dofs;
     }
   };
 
@@ -241,8 +243,8 @@ namespace Structure
       return false;
     }
 
-    /// Whether each rank knows all cells; if not, nothing that follows may be
-    /// called.
+    /// Whether each rank knows all cells; if not, level_of(), active_number(),
+    /// gradient_jumps() and refine() may not be called.
     virtual bool
     is_whole() const = 0;
 
@@ -299,6 +301,19 @@ namespace Structure
     virtual DoFPlace<dim>
     place_of(const unsigned int cell, const unsigned int dof) const = 0;
 
+    using Visitor = std::function<void(const BoundaryNode<dim> &)>;
+
+    /// Call @p visit for the nodes of the faces with one of the ids, of this
+    /// rank's cells; nodes of several faces come several times.
+    virtual void
+    visit_boundary_nodes(const std::set<types::boundary_id> &ids,
+                         const Visitor                      &visit) const = 0;
+
+    /// Call @p visit for the nodes of this rank's cells, without a normal, in
+    /// the order of cells; those of several cells come several times.
+    virtual void
+    visit_nodes(const Visitor &visit) const = 0;
+
     /// The nodes of all faces with one of the ids; nodes of several faces come
     /// several times. The same on all ranks. Collective.
     std::vector<BoundaryNode<dim>>
@@ -309,8 +324,8 @@ namespace Structure
     std::vector<BoundaryNode<dim>>
     nodes_where(Expression<dim> &formula) const;
 
-    /// The node nearest to a point, without a normal; of several the one with
-    /// the smallest coordinates. Collective.
+    /// The node nearest to a point, without a normal; of several the first in
+    /// the order of the whole mesh. Collective.
     BoundaryNode<dim>
     nearest_node(const Point<dim> &x) const;
 
@@ -347,20 +362,6 @@ namespace Structure
     write(const ValuesOfCell &values_of_cell,
           const std::string  &file,
           const MPI_Comm      communicator) = 0;
-
-  protected:
-    using Visitor = std::function<void(const BoundaryNode<dim> &)>;
-
-    /// Call @p visit for the nodes of the faces with one of the ids, of this
-    /// rank's cells.
-    virtual void
-    visit_boundary_nodes(const std::set<types::boundary_id> &ids,
-                         const Visitor                      &visit) const = 0;
-
-    /// Call @p visit for the nodes of this rank's cells, without a normal;
-    /// those of several cells come several times.
-    virtual void
-    visit_nodes(const Visitor &visit) const = 0;
   };
 } // namespace Structure
 

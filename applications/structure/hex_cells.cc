@@ -18,13 +18,13 @@ namespace Structure
      * are unknowns. The more of it, the less the iterations suffer from
      * pressures that alternate from cell to cell, of which displacements of
      * trilinear cells know little; the less of it, the better is multigrid.
-     * The best k grew slowly with K (benchmarks/results.md): 2 to 17 mu for nu
-     * of 0.45 to 0.4999.
+     * The best k grows slowly with K (benchmarks/results.md). Two mu keep the
+     * matrix definite under the deviatoric stresses that occur.
      */
     double
     bulk_in_matrix(const double bulk, const double mu)
     {
-      return std::min(bulk, mu * std::cbrt(bulk / mu));
+      return std::min(bulk, mu * std::max(2., std::cbrt(bulk / mu)));
     }
 
     /// The number of the pair of nodes (a, b), a <= b.

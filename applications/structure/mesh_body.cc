@@ -86,31 +86,35 @@ namespace Structure
     // of an owned dof are known, so its owner knows the first of them.
     using Place =
       std::tuple<unsigned int, unsigned int, types::global_dof_index>;
-    std::vector<Place>                   places;
+    std::vector<Place>                   all;
     std::vector<types::global_dof_index> of_cell;
-    const IndexSet   &owned = dof_handler.locally_owned_dofs();
-    std::vector<bool> seen(owned.n_elements(), false);
+    const IndexSet    known = whole ? complete_index_set(dof_handler.n_dofs()) :
+                                      dof_handler.locally_owned_dofs();
+    std::vector<bool> seen(known.n_elements(), false);
     for (const auto &cell : dof_handler.active_cell_iterators())
       {
-        if (cell->is_artificial())
-          continue;
         of_cell.resize(cell->get_fe().n_dofs_per_cell());
         cell->get_dof_indices(of_cell);
         for (unsigned int a = 0; a < of_cell.size(); ++a)
-          if (owned.is_element(of_cell[a]))
+          if (known.is_element(of_cell[a]))
             {
-              const auto i = owned.index_within_set(of_cell[a]);
+              const auto i = known.index_within_set(of_cell[a]);
               if (!seen[i])
-                places.emplace_back(number_of(cell),
-                                    a,
-                                    this->numbering(of_cell[a]));
+                all.emplace_back(number_of(cell),
+                                 a,
+                                 this->numbering(of_cell[a]));
               seen[i] = true;
             }
       }
-    std::vector<Place> all;
-    for (auto &of_rank : Utilities::MPI::all_gather(this->communicator, places))
-      std::move(of_rank.begin(), of_rank.end(), std::back_inserter(all));
-    std::sort(all.begin(), all.end());
+    if (!whole)
+      {
+        const auto of_ranks =
+          Utilities::MPI::all_gather(this->communicator, all);
+        all.clear();
+        for (const auto &of_rank : of_ranks)
+          all.insert(all.end(), of_rank.begin(), of_rank.end());
+        std::sort(all.begin(), all.end());
+      }
     std::vector<types::global_dof_index> result;
     result.reserve(all.size());
     for (const auto &[cell, of_cell, dof] : all)

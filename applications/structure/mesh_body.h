@@ -112,12 +112,14 @@ namespace Structure
     unsigned int
     level_of(const unsigned int active_cell) const override
     {
+      Assert(whole, ExcInternalError());
       return levels[active_cell];
     }
 
     unsigned int
     active_number(const types::global_cell_index label) const override
     {
+      Assert(whole, ExcInternalError());
       return active_numbers[label];
     }
 

@@ -56,7 +56,7 @@ namespace Structure
      * Forces from another program, say a fluid solver: adds to the forces on
      * owned dofs [N], with the displacements at the end of the step and its
      * time. It is asked in each Newton iteration and gives no tangent. Nodes
-     * and their dofs: Body::visit_nodes(). Empty: none.
+     * of the rank's cells and their dofs: Body::visit_nodes(). Empty: none.
      */
     std::function<
       void(const Vector_t &ghosted_u, const double time, Vector_t &forces)>

@@ -448,6 +448,7 @@ namespace Structure
   {
     BoundaryNode<3> node;
     node.x            = cell->vertex(vertex);
+    node.cell         = number_of(cell);
     node.has_director = true;
     for (unsigned int i = 0; i < 3; ++i)
       {

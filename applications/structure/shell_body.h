@@ -117,6 +117,13 @@ namespace Structure
     place_of(const unsigned int cell, const unsigned int dof) const override;
 
     void
+    visit_boundary_nodes(const std::set<types::boundary_id> &ids,
+                         const Visitor &visit) const override;
+
+    void
+    visit_nodes(const Visitor &visit) const override;
+
+    void
     add_to(MortarContact::ContactInterface<3> &interface,
            const bool                          secondary,
            const MortarContact::FaceSelection &faces) const override;
@@ -133,13 +140,6 @@ namespace Structure
           const MPI_Comm      communicator) override;
 
   private:
-    void
-    visit_boundary_nodes(const std::set<types::boundary_id> &ids,
-                         const Visitor &visit) const override;
-
-    void
-    visit_nodes(const Visitor &visit) const override;
-
     /// Orientation, directors and thicknesses where this rank has cells.
     void
     set_geometry(const Triangulation<2, 3>        &mesh,

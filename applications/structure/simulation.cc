@@ -352,7 +352,8 @@ namespace Structure
     has_touched.resize(model.interfaces.size(), 0);
     const std::array<std::string, 3> at_rest = {{"0", "0", "0"}};
     audit.is_possible =
-      !model.fluid && !scene.refinement.is_on() && model.rigid_dofs.empty() &&
+      !model.fluid && !scene.refinement.is_on() && refinements.empty() &&
+      model.rigid_dofs.empty() &&
       std::all_of(scene.bodies.begin(),
                   scene.bodies.end(),
                   [](const BodyParameters &b) {

@@ -134,6 +134,7 @@ namespace Structure
   std::vector<double>
   SolidBody<dim>::gradient_jumps(const Vector<double> &u) const
   {
+    Assert(this->is_whole(), ExcInternalError());
     // the estimator's own constant is h/24
     Vector<float> estimate(triangulation.n_active_cells());
     KellyErrorEstimator<dim>::estimate(*mapping,
@@ -291,6 +292,7 @@ namespace Structure
             continue;
           cell->get_dof_indices(dofs);
           BoundaryNode<dim> node;
+          node.cell = this->number_of(cell);
           // symmetry planes are plane: one normal per face
           normals.reinit(cell, f);
           for (const unsigned int q : normals.quadrature_point_indices())
@@ -323,7 +325,8 @@ namespace Structure
         for (unsigned int k = 0; k < scalar.n_dofs_per_cell(); ++k)
           {
             BoundaryNode<dim> node;
-            node.x = mapping->transform_unit_to_real_cell(
+            node.cell = this->number_of(cell);
+            node.x    = mapping->transform_unit_to_real_cell(
               cell, scalar.unit_support_point(k));
             for (unsigned int i = 0; i < dim; ++i)
               node.dofs[i] = this->numbering(

@@ -26,6 +26,7 @@ namespace Structure
   {
   public:
     using ValuesOfCell = typename Body<dim>::ValuesOfCell;
+    using Visitor      = typename Body<dim>::Visitor;
     using MeshBody<dim, dim>::triangulation;
     using MeshBody<dim, dim>::elements;
     using MeshBody<dim, dim>::dof_handler;
@@ -108,6 +109,13 @@ namespace Structure
     place_of(const unsigned int cell, const unsigned int dof) const override;
 
     void
+    visit_boundary_nodes(const std::set<types::boundary_id> &ids,
+                         const Visitor &visit) const override;
+
+    void
+    visit_nodes(const Visitor &visit) const override;
+
+    void
     add_to(MortarContact::ContactInterface<dim> &interface,
            const bool                            secondary,
            const MortarContact::FaceSelection   &faces) const override;
@@ -145,14 +153,6 @@ namespace Structure
 
   private:
     using MeshBody<dim, dim>::local_cells;
-    using typename Body<dim>::Visitor;
-
-    void
-    visit_boundary_nodes(const std::set<types::boundary_id> &ids,
-                         const Visitor &visit) const override;
-
-    void
-    visit_nodes(const Visitor &visit) const override;
 
     void
     add_pressure(const FEFaceValues<dim> &face,

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <tuple>
 
 namespace Structure
 {
@@ -43,7 +44,9 @@ namespace Structure
                            std::to_string(parameters.free_edge) +
                            "; the fluid needs them."));
     std::sort(edge.begin(), edge.end(), [](const auto &a, const auto &b) {
-      return std::atan2(a.x[1], a.x[0]) < std::atan2(b.x[1], b.x[0]);
+      const double of_a = std::atan2(a.x[1], a.x[0]),
+                   of_b = std::atan2(b.x[1], b.x[0]);
+      return std::tie(of_a, a.cell) < std::tie(of_b, b.cell);
     });
   }
 

@@ -89,6 +89,16 @@ run_alone --output "$folder/refined-parts" "${refined[@]}" --set "Steps/Maximum 
 run_alone --restart "$folder/refined-parts" --output "$folder/refined-parts" "${refined[@]}"
 "$checker" "$folder/refined-parts/summary.json" "$folder/refined/summary.json" 0 ||
   fail "the continued run with refined meshes differs"
+# also on ranks that would not keep whole meshes otherwise, and if no more is refined
+for more in on off; do
+  run_alone --output "$folder/refined-$more" "${refined[@]}" --set "Steps/Maximum steps=3"
+  [ "$more" = on ] || refined=(--set "Steps/Maximum steps=5")
+  run --restart "$folder/refined-$more" --output "$folder/refined-$more" "${refined[@]}"
+done
+"$checker" "$folder/refined-on/summary.json" "$folder/refined/summary.json" 1e-9 ||
+  fail "the run with refined meshes continued on 2 ranks differs"
+grep -q '"most steps"' "$folder/refined-off/summary.json" ||
+  fail "refined meshes were not continued without refinement"
 
 # damaged checkpoints, and those of others, are refused in words
 refused() { # FOLDER WORDS ENTRY=VALUE...

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Scenes whose meshes are dealt to the ranks, against the same scenes on one
-// rank: displacements of all nodes, forces, facets in contact, and what the
-// material remembers.
+// Scenes whose meshes are dealt to the ranks, or whole on each, against the
+// same scenes on one rank: displacements of all nodes, forces, facets in
+// contact, and what the material remembers.
 
 #include "../support/rings.h"
 
@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <vector>
 
 using namespace Test;
@@ -88,18 +89,24 @@ namespace
 
   template <int dim>
   Result
-  expect_the_same_on_one_rank(const std::string &text)
+  expect_the_same_on_one_rank(const std::string &text,
+                              const bool         is_whole = false)
   {
     const unsigned int n_ranks =
       Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
     Result alone;
     if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-      {
-        Log  log(MPI_COMM_SELF, true);
-        auto s = make<dim>(text, log, MPI_COMM_SELF);
-        EXPECT_EQ(s->run(), finished);
-        alone = result_of(*s);
-      }
+      try
+        {
+          Log  log(MPI_COMM_SELF, true);
+          auto s = make<dim>(text, log, MPI_COMM_SELF);
+          EXPECT_EQ(s->run(), finished);
+          alone = result_of(*s);
+        }
+      catch (const std::exception &e)
+        {
+          ADD_FAILURE() << e.what(); // the others wait for the result
+        }
     alone               = Utilities::MPI::broadcast(MPI_COMM_WORLD, alone);
     const auto   s      = run<dim>(text);
     const Result result = result_of(*s);
@@ -111,14 +118,14 @@ namespace
 
     for (const auto &body : s->model.bodies)
       {
-        EXPECT_EQ(body->is_whole(), n_ranks == 1);
+        EXPECT_EQ(body->is_whole(), is_whole || n_ranks == 1);
         const auto         *solid = dynamic_cast<MeshBody<dim, dim> *>(&*body);
         const auto         *shell = dynamic_cast<MeshBody<2, 3> *>(&*body);
         const unsigned long known =
           Utilities::MPI::sum(shell ? shell->triangulation.n_active_cells() :
                                       solid->triangulation.n_active_cells(),
                               MPI_COMM_WORLD);
-        if (n_ranks >= 4)
+        if (n_ranks >= 4 && !is_whole)
           {
             EXPECT_LT(known, 0.8 * n_ranks * body->n_cells());
           }
@@ -232,4 +239,24 @@ TEST(DistributedScenes, TrianglesInThePlane)
     cosine_load() + interface("fit", "Stiffness scale = 20") +
     probe("in", "inner", "0.6, 0") + probe("out", "outer", "0.6, 0") +
     solver(1e-12));
+}
+
+
+TEST(DistributedScenes, RefinedBlockOnOneCell)
+{
+  expect_the_same_on_one_rank<3>(
+    names("lower, upper", "floor, top", "i") +
+      body("lower", "Upper corner = 1,1,0.5|Cells = 1,1,1", rubber + "0.3") +
+      body("upper",
+           "Lower corner = 0.2,0.3,0.5|Upper corner = 0.7,0.9,1|Cells = 3,3,2",
+           rubber + "0.3") +
+      condition("floor", "Body = lower|Boundary ids = 4|x = 0|y = 0|z = 0") +
+      condition("top",
+                "Body = upper|Boundary ids = 5|x = 0|y = 0|z = -0.05*t") +
+      interface("i",
+                "Characteristic length = 0.2|Stiffness scale = 10|"
+                "Secondary = upper: boundary 4|Primary = lower: boundary 5") +
+      section("Refinement", "Every = 1|Most levels = 1|Refine = 0.4") +
+      solver(1e-12, 0.5),
+    /* is_whole = */ true);
 }
