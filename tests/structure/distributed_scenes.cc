@@ -19,7 +19,8 @@ namespace
 {
   struct Result
   {
-    std::vector<double> displacements, history, forces;
+    std::vector<double>       displacements, history, forces;
+    std::vector<unsigned int> n_cells; ///< By body.
     /// Centres of facets in contact, ascending.
     std::vector<std::array<double, 3>> in_contact;
 
@@ -27,7 +28,7 @@ namespace
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &displacements &history &forces &in_contact;
+      archive &displacements &history &forces &n_cells &in_contact;
     }
   };
 
@@ -40,6 +41,7 @@ namespace
     const Vector<double> u(s.u);
     for (const auto &body : s.model.bodies)
       {
+        result.n_cells.push_back(body->n_cells());
         for (const auto dof : body->dofs_in_order())
           result.displacements.push_back(u(dof));
         const auto history = body->history();
@@ -113,6 +115,7 @@ namespace
     EXPECT_LT(difference(result.displacements, alone.displacements), 1e-10);
     EXPECT_LT(difference(result.forces, alone.forces), 1e-10);
     EXPECT_LT(difference(result.history, alone.history), 1e-10);
+    EXPECT_EQ(result.n_cells, alone.n_cells);
     EXPECT_FALSE(alone.in_contact.empty());
     EXPECT_EQ(result.in_contact, alone.in_contact);
 
@@ -244,7 +247,7 @@ TEST(DistributedScenes, TrianglesInThePlane)
 
 TEST(DistributedScenes, RefinedBlockOnOneCell)
 {
-  expect_the_same_on_one_rank<3>(
+  const Result result = expect_the_same_on_one_rank<3>(
     names("lower, upper", "floor, top", "i") +
       body("lower", "Upper corner = 1,1,0.5|Cells = 1,1,1", rubber + "0.3") +
       body("upper",
@@ -259,4 +262,5 @@ TEST(DistributedScenes, RefinedBlockOnOneCell)
       section("Refinement", "Every = 1|Most levels = 1|Refine = 0.4") +
       solver(1e-12, 0.5),
     /* is_whole = */ true);
+  EXPECT_GT(result.n_cells[0] + result.n_cells[1], 1 + 3 * 3 * 2);
 }

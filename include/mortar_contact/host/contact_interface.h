@@ -494,7 +494,7 @@ namespace MortarContact
      * Get to know all primary facets of other ranks that lie in @p regions, by
      * sweep (ties: as sweep 0). Each rank tells the others at most a few boxes;
      * facets go from their rank to those that look there, once.
-     * @param regions     Called only where other ranks have facets.
+     * @param regions     Called only where there are other ranks.
      * @param boxes       The same, of this rank's facets, by side; empty: where
      *                    they are.
      * @param more_states Values by dof that must go with the facets, besides
